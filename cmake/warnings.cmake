@@ -1,0 +1,4 @@
+# Warnings of our own targets. They stop a build only where CMAKE_COMPILE_WARNING_AS_ERROR is set: in the presets that developers use.
+function(pendula_warnings target)
+    target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion)
+endfunction()

@@ -1,5 +1,6 @@
 # The installed package: find_package(pendula) and pkg-config.
 include(CMakePackageConfigHelpers)
+include(GNUInstallDirs)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/pendula)
 install(TARGETS pendula EXPORT pendula-targets FILE_SET HEADERS)

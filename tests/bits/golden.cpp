@@ -1,0 +1,268 @@
+// Solves a fixed set of problems and prints, for each section, a hash of the bits of all its results. The hashes are the
+// same wherever the core is built: see tests/bits/test_bits.py. `golden SECTION` lists the results instead of hashing them.
+// Only headers of the language and of pendula: in a WebAssembly module without imports there is nothing else.
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+
+#include "pendula/actividad3.hpp"
+#include "pendula/angle.hpp"
+#include "pendula/solve.hpp"
+
+#ifdef __wasm__
+#define EXPORT(name) __attribute__((export_name(#name)))
+#else
+#define EXPORT(name)
+#endif
+
+using namespace pendula;
+
+namespace {
+
+void (*listener)(double) = nullptr;
+
+// FNV-1a, 64 bits, over the bytes of doubles, least significant first. -0 is not 0, and all NaNs are one.
+struct Hash {
+    std::uint64_t value = 0xcbf29ce484222325;
+
+    void operator()(double x) {
+        if (listener) listener(x);
+        std::uint64_t bits = x == x ? std::bit_cast<std::uint64_t>(x) : 0x7ff8000000000000;
+        for (int byte = 0; byte < 8; ++byte, bits >>= 8) value = (value ^ (bits & 255)) * 0x100000001b3;
+    }
+    void operator()(const Analysis& a) {
+        (*this)(static_cast<double>(a.regime));
+        (*this)(a.theta_max);
+        (*this)(a.tau);
+    }
+    void operator()(const Sample& s) {
+        (*this)(s.t);
+        (*this)(s.theta);
+        (*this)(s.omega);
+        (*this)(s.turns);
+    }
+};
+
+// Numbers in [0, 1) by Knuth's MMIX generator: integers only, hence the same everywhere.
+struct Random {
+    std::uint64_t state = 1;
+
+    double operator()() {
+        state = state * 6364136223846793005u + 1442695040888963407u;
+        return static_cast<double>(state >> 11) * 0x1p-53;
+    }
+    double operator()(double first, double last) { return first + (last - first) * (*this)(); }
+    // 2^n with n uniform in [first, last], times a number in [1, 2), of either sign.
+    double wide(int first, int last) {
+        const auto n = first + static_cast<int>((*this)() * (last - first + 1));
+        const double power = std::bit_cast<double>(static_cast<std::uint64_t>(1023 + n) << 52);
+        const double x = (1 + (*this)()) * power;
+        return (*this)() < 0.5 ? -x : x;
+    }
+};
+
+constexpr double inf = __builtin_huge_val();
+constexpr double nan = __builtin_nan("");
+constexpr double largest = 0x1.fffffffffffffp1023;
+constexpr double hostile[] = {0,    -0.0, 1,      -1,   pi,     -pi,     pi / 2,   2 * pi, 0x1p-1074, -0x1p-1074, 0x1p-1022,
+                              1e-9, 1e15, 0x1p53, 1e22, -1e300, largest, -largest, inf,    -inf,      nan};
+
+constexpr double alphas[] = {1, 9.81, 0x1p-40};
+
+// In units of sqrt(alpha): small, large, either side of the separatrix and on it, rotating slowly, fast and backwards.
+constexpr State states[] = {
+    {0, 0},       {1e-9, 0},  {0.001, 0}, {pi / 2, 0}, {2.5, -0.3},  {3, 0},      {3.14159, 0}, {0, 1.999999895801368},
+    {0, 2},       {0, -2},    {1, -1.75}, {pi, 0},     {-pi, 1e-12}, {3.1, 0.1},  {0.001, 2},   {0, 2.0000000000001},
+    {0.1, -2.01}, {-2, 1.99}, {1, 2},     {50, -3},    {0, 1e6},     {1e10, 0.5}, {-1, 1e-300}};
+
+template <class Visit>
+void for_each_problem(Visit visit) {
+    for (double alpha : alphas)
+        for (State s : states) visit(alpha, State{s.theta, s.omega * __builtin_sqrt(alpha)});
+}
+
+void angles(Hash& hash) {
+    const auto visit = [&](double x) {
+        hash(wrap(x));
+        hash(to_radians(x));
+        const Angle angle = split_turns(x);
+        hash(angle.theta);
+        hash(angle.turns);
+        hash(phase(x, 1));
+        hash(phase(x, -1));
+    };
+    for (double x : hostile) visit(x);
+    Random random;
+    for (int i = 0; i < 2000; ++i) {
+        visit(random(-10, 10));
+        visit(random.wide(-1022, 1023));
+        visit(i * pi / 2);
+    }
+}
+
+void energies(Hash& hash) {
+    Random random;
+    for (int i = 0; i < 2000; ++i) {
+        const State s{random.wide(-30, 60), random.wide(-30, 10)};
+        hash(energy(9.81, s));
+        hash(acceleration({9.81, 0.5, 0.1, 1.5, 2.0 / 3, 0.25}, s, random(0, 1000)));
+        hash(unwrapped({0, s.theta, s.omega, random(-1e6, 1e6)}));
+    }
+}
+
+void analyses(Hash& hash) {
+    for_each_problem([&](double alpha, State s) {
+        hash(analyze(alpha, s));
+        const double terms = series_terms(alpha, s, 1e-7);
+        hash(terms);
+        if (terms < 1e5) hash(analyze_by_series(alpha, s, 1e-7));
+    });
+    Random random;
+    for (int i = 0; i < 5000; ++i) {
+        const double alpha = random(0.1, 10);
+        const State s{random(-4, 4), random(-8, 8)};  // braces evaluate from left to right, arguments of functions as they like
+        hash(analyze(alpha, s));
+    }
+    for (int i = 0; i < 5000; ++i) {  // near the separatrix
+        const double theta = random(-pi, pi);
+        const double omega = 2 * __builtin_sqrt(1 - energy(1, {theta, 0}) / 2);
+        hash(analyze(1, {theta, omega * (1 + random.wide(-52, -3))}));
+    }
+    for (double alpha : hostile)
+        for (double theta : hostile)
+            for (double omega : hostile) hash(analyze(alpha, {theta, omega}));
+}
+
+constexpr std::size_t times = 1003;  // not a multiple of any pack's width
+
+template <class Visit>
+void for_each_orbit(Visit visit) {
+    static double t[times];
+    for_each_problem([&](double alpha, State s) {
+        const Exact orbit = exact(alpha, s);
+        Random random;
+        for (std::size_t i = 0; i < times; ++i)
+            t[i] = orbit.analysis.tau * (i % 4 == 0   ? random(0, 30)
+                                         : i % 4 == 1 ? random(-1e6, 1e6)
+                                                      : static_cast<double>(i) / 8);
+        t[0] = 0;
+        t[1] = -0.0;
+        t[2] = random.wide(-1022, -1000);
+        t[3] = 1e300;
+        t[4] = inf;
+        t[5] = nan;
+        visit(orbit, t);
+    });
+}
+
+void exact_one_by_one(Hash& hash) {
+    for_each_orbit([&](const Exact& orbit, const double* t) {
+        for (std::size_t i = 0; i < times; ++i) hash(at(orbit, t[i]));
+    });
+}
+
+void exact_in_packs(Hash& hash) {
+    static Sample samples[times];
+    for_each_orbit([&](const Exact& orbit, const double* t) {
+        at(orbit, times, t, samples);
+        for (const Sample& sample : samples) hash(sample);
+    });
+}
+
+void sinusoids(Hash& hash) {
+    for_each_orbit([&](const Exact& orbit, const double* t) {
+        for (std::size_t i = 0; i < times; ++i) hash(sinusoid(orbit, t[i]));
+    });
+}
+
+// All rows of a problem with times given as factors of tau, asked for in groups of `group` rows and `budget` steps.
+void rows(Hash& hash, Method method, double alpha, State initial, Times factors, std::size_t group, double budget) {
+    const double tau = analyze(alpha, initial).tau;
+    Trajectory run = begin({.pendulum = {.alpha = alpha},
+                            .initial = initial,
+                            .method = method,
+                            .schedule = schedule({factors.dt * tau, factors.every * tau, factors.until * tau})});
+    static Sample samples[64];
+    while (!run.is_finished()) {
+        const std::size_t n = advance(run, group, samples, budget);
+        for (std::size_t i = 0; i < n; ++i) hash(samples[i]);
+    }
+}
+
+void method_rows(Hash& hash, Method method) {
+    for_each_problem([&](double alpha, State s) { rows(hash, method, alpha, s, {0.004, 0.05, 20}, 64, 1e9); });
+    rows(hash, method, 1, {3, 0}, {1e-4, 0.02, 2}, 64, 1e9);
+    rows(hash, method, 1, {0.1, -2.01}, {0.3, 1, 2000}, 64, 1e9);
+    rows(hash, method, 1, {pi / 2, 0}, {0.004, 0.05, 20}, 7, 13);
+}
+
+void euler_rows(Hash& hash) { method_rows(hash, Method::euler); }
+void verlet_rows(Hash& hash) { method_rows(hash, Method::verlet); }
+void rk4_rows(Hash& hash) { method_rows(hash, Method::rk4); }
+void exact_rows(Hash& hash) { method_rows(hash, Method::exact); }
+
+void assignment(Hash& hash) {
+    for_each_problem([&](double alpha, State s) {
+        double theta = s.theta, theta_max = 0, tau = 0;
+        int k = 0;
+        hash(actividad3::validaAngulo(theta, 's'));
+        hash(theta);
+        hash(actividad3::fase(s.theta, s.omega));
+        hash(actividad3::normaliza(s.theta));
+        actividad3::analisis(alpha, s.theta, s.omega, 1e-7, theta_max, tau, k);
+        hash(theta_max);
+        hash(tau);
+        hash(k);
+        for (int i = 0; i < 100; ++i) actividad3::RungeKutta(alpha, s.theta, s.omega, i * 0.01 * tau, 0.01 * tau);
+        hash(s.theta);
+        hash(s.omega);
+    });
+}
+
+struct Section {
+    const char* name;
+    void (*solve)(Hash&);
+};
+
+constexpr Section sections[] = {{"angles", angles},
+                                {"energies", energies},
+                                {"analyses", analyses},
+                                {"exact", exact_one_by_one},
+                                {"exact_in_packs", exact_in_packs},
+                                {"sinusoids", sinusoids},
+                                {"euler", euler_rows},
+                                {"verlet", verlet_rows},
+                                {"rk4", rk4_rows},
+                                {"exact_rows", exact_rows},
+                                {"assignment", assignment}};
+constexpr int section_count = sizeof(sections) / sizeof(*sections);
+
+}  // namespace
+
+// "name hash" of a section; nullptr past the last.
+extern "C" EXPORT(report) const char* report(int section) {
+    if (section >= section_count) return nullptr;
+    Hash hash;
+    sections[section].solve(hash);
+    static char line[64];
+    char* end = line;
+    for (const char* c = sections[section].name; *c; ++c) *end++ = *c;
+    *end++ = ' ';
+    for (int shift = 60; shift >= 0; shift -= 4) *end++ = "0123456789abcdef"[hash.value >> shift & 15];
+    *end = 0;
+    return line;
+}
+
+#ifndef __wasm__
+#include <cstdio>
+#include <cstring>
+
+int main(int argc, char** argv) {
+    if (argc > 1) listener = [](double x) { std::printf("%a\n", x); };
+    for (int i = 0; i < section_count; ++i)
+        if (argc < 2)
+            std::puts(report(i));
+        else if (std::strcmp(argv[1], sections[i].name) == 0)
+            report(i);
+}
+#endif

@@ -1,0 +1,49 @@
+# What a person types. Each target installs what it needs first: packages of the system by apt, Python's into .venv.
+
+run_needs = g++ cmake ninja-build libcli11-dev
+test_needs = $(run_needs) libgtest-dev pkg-config python3-venv nodejs \
+	clang-19 lld-19 libclang-rt-19-dev wasi-libc libc++-19-dev-wasm32 libc++abi-19-dev-wasm32 libclang-rt-19-dev-wasm32 \
+	qemu-user g++-aarch64-linux-gnu
+bench_needs = $(run_needs) libbenchmark-dev libboost-dev libgsl-dev
+figures_needs = $(run_needs) gnuplot-nox
+
+.PHONY: run test sanitize golden bench figures clean
+.DELETE_ON_ERROR:
+
+# The four problems of the assignment: analysis and first rows here, whole tables in out/.
+run: .stamps/run
+	cmake --preset release
+	cmake --build --preset release
+	examples/actividad3.sh build/release/pendula examples/datosTarea_03.txt out
+
+# All tests run even if some fail; the status tells.
+test: .stamps/test .stamps/venv
+	cmake --preset dev
+	cmake --build --preset dev
+	@status=0; \
+	ctest --preset dev || status=1; \
+	.venv/bin/pytest tests || status=1; \
+	exit $$status
+
+# Address and undefined-behaviour sanitizers over the C++ tests, then a minute of fuzzing the reader.
+sanitize: .stamps/test
+	cmake --workflow --preset sanitize
+
+# After an intended change of results, and a line in the changelog's section Numerics.
+golden: .stamps/test
+	python3 tests/bits/builds.py
+	git --no-pager diff --stat tests/bits/golden.txt
+
+clean:
+	rm -rf build out .venv .stamps
+
+.stamps/venv: tests/requirements.txt .stamps/test
+	python3 -m venv .venv
+	.venv/bin/pip install --quiet uv
+	UV_PYTHON_DOWNLOADS=never .venv/bin/uv pip install --quiet --python .venv/bin/python --requirement tests/requirements.txt
+	touch $@
+
+.stamps/%: Makefile .ci/need
+	.ci/need $($*_needs)
+	mkdir -p .stamps
+	touch $@

@@ -34,6 +34,10 @@ golden: .stamps/test
 	python3 tests/bits/builds.py
 	git --no-pager diff --stat tests/bits/golden.txt
 
+figures: .stamps/figures run
+	mkdir -p docs/figures
+	gnuplot -c examples/actividad3.gp docs/figures/actividad3.svg
+
 clean:
 	rm -rf build out .venv .stamps
 

@@ -1,0 +1,137 @@
+#include "pendula/analysis.hpp"
+
+#include "arithmetic/arctangent.hpp"
+#include "arithmetic/exponential.hpp"
+#include "energy_balance.hpp"
+#include "pendula/angle.hpp"
+
+namespace pendula {
+
+using namespace arithmetic;
+using Number = EnergyBalance::Number;
+
+namespace {
+
+constexpr double infinity = __builtin_inf();
+
+bool is_legal(double alpha, State initial) noexcept {
+    return alpha > 0 && alpha < infinity && abs(initial.theta) < infinity && abs(initial.omega) < infinity;
+}
+
+/// The power of two at or below |x| > 0, normal or not.
+double power_of_two_below(double x) noexcept {
+    const double normal = abs(x) < 0x1p-1022 ? x * 0x1p54 : x;
+    const double power = from_bits<double>(bits(normal) & 0x7ff0000000000000);
+    return abs(x) < 0x1p-1022 ? power * 0x1p-54 : power;
+}
+
+double ulp(double x) noexcept {
+    const double power = power_of_two_below(x);
+    return x == 0 ? 0x1p-1074 : power < 0x1p-1022 ? 0x1p-1074 : power * 0x1p-52;
+}
+
+/// How far one unit in the last place of theta, omega and alpha can move the gap, to first and second order.
+double reach_of_one_ulp(const EnergyBalance& b, double alpha_ulp, double theta_ulp, double omega_ulp) noexcept {
+    const double sine = b.sine.hi, cosine = b.cosine.hi;
+    const double first = b.alpha * abs(sine * cosine) * theta_ulp + abs(b.half_omega.hi) * omega_ulp + cosine * cosine * alpha_ulp;
+    const double second = 0.25 * b.alpha * abs(cosine * cosine - sine * sine) * theta_ulp * theta_ulp +
+                          0.25 * omega_ulp * omega_ulp + abs(sine * cosine) * theta_ulp * alpha_ulp;
+    return first + second;
+}
+
+/// (3.5): the time from theta to 0.999 theta_max, or 10/sqrt(alpha) where there is nothing to time. The difference of the two
+/// asinh(tan(.)) of (3.5) is taken as one, asinh(sin(A - B)/(cos A cos B)), which loses nothing near the mark.
+double separatrix_time(const EnergyBalance& b, double omega) noexcept {
+    const double root = sqrt(b.alpha) * b.unit;
+    const Number mark_sine{mark_sine_dd[0], mark_sine_dd[1]};
+    const Number mark_cosine{mark_cosine_dd[0], mark_cosine_dd[1]};
+    const auto sine = omega < 0 ? -b.sine : b.sine;
+    const auto way = (mark_sine * b.cosine - mark_cosine * sine) / (mark_cosine * b.cosine);
+    return omega == 0 || way.hi <= 0 ? 10 / root : asinh(way.hi) / root;
+}
+
+/// The assignment's r^2 of (3.8) as its complement 1 - r^2.
+double series_complement(const EnergyBalance& b) noexcept {
+    return b.regime == Regime::oscillation ? b.gap.hi / b.alpha : -(b.gap / b.rise).hi;
+}
+
+Analysis nothing() noexcept { return {Regime::oscillation, __builtin_nan(""), __builtin_nan("")}; }
+
+}  // namespace
+
+EnergyBalance balance_energy(double alpha, State initial) noexcept {
+    EnergyBalance b{};
+    const double root = sqrt(alpha);
+    const double half = 0.5 * abs(initial.omega);
+    b.unit = power_of_two_below(root > half ? root : half);
+    b.alpha = alpha / b.unit / b.unit;
+    const double omega = initial.omega / b.unit;
+    const auto angle = sincos_double_double(0.5 * initial.theta);
+    b.sine = angle.sin;
+    b.cosine = angle.cos;
+    b.half_omega = {0.5 * omega, 0};
+    const auto kinetic = two_prod(b.half_omega.hi, b.half_omega.hi);
+    b.rise = b.sine * b.sine * b.alpha + kinetic;
+    b.gap = b.cosine * b.cosine * b.alpha - kinetic;
+    const double reach =
+        reach_of_one_ulp(b, ulp(alpha) / b.unit / b.unit, ulp(initial.theta), ulp(initial.omega) / b.unit);
+    b.regime = abs(b.gap.hi) <= reach ? Regime::separatrix : b.gap.hi > 0 ? Regime::oscillation : Regime::rotation;
+    return b;
+}
+
+Modulus modulus_of_oscillation(const EnergyBalance& b) noexcept {
+    const auto speed = b.half_omega / sqrt(Number{b.alpha, 0});
+    const double largest = abs(b.sine.hi) > abs(speed.hi) ? abs(b.sine.hi) : abs(speed.hi);
+    const double power = power_of_two_below(largest > 0x1p-1000 ? largest : 0x1p-1000);
+    const auto s = scaled(b.sine, 1 / power);
+    const auto w = scaled(speed, 1 / power);
+    return {speed, scaled(sqrt(s * s + w * w), power)};
+}
+
+Number frequency(const EnergyBalance& b) noexcept {
+    const Number two_pi{two_pi_dd[0], two_pi_dd[1]};
+    if (b.regime == Regime::oscillation) return agm(sqrt(Number{b.alpha, 0}), sqrt(b.gap)) / two_pi;
+    return scaled(agm(sqrt(b.rise), sqrt(-b.gap)) / two_pi, 2.0);
+}
+
+Analysis analyze(double alpha, State initial) noexcept {
+    if (!is_legal(alpha, initial)) return nothing();
+    const auto b = balance_energy(alpha, initial);
+    if (b.regime == Regime::separatrix)
+        return {b.regime, initial.omega < 0 ? -pi : pi, separatrix_time(b, initial.omega)};
+    const double tau = (Number{1, 0} / frequency(b)).hi / b.unit;
+    if (b.regime == Regime::rotation) return {b.regime, pi, tau};
+    const double complement = sqrt(b.gap / Number{b.alpha, 0}).hi;
+    return {b.regime, 2 * atan2(modulus_of_oscillation(b).k.hi, complement), tau};
+}
+
+double series_terms(double alpha, State initial, double epsilon) noexcept {
+    if (!is_legal(alpha, initial) || !(epsilon > 0 && epsilon < 1)) return __builtin_nan("");
+    const auto b = balance_energy(alpha, initial);
+    if (b.regime == Regime::separatrix) return 0;
+    const double complement = series_complement(b);
+    const double terms = (log(epsilon) + log(complement)) / log1p(-complement);
+    const double whole = round_even(terms);
+    return terms > 0 ? whole < terms ? whole + 1 : whole : 0;
+}
+
+Analysis analyze_by_series(double alpha, State initial, double epsilon) noexcept {
+    Analysis result = analyze(alpha, initial);
+    if (result.regime == Regime::separatrix) return result;
+    const double last = series_terms(alpha, initial, epsilon);
+    result.tau = __builtin_nan("");
+    if (!(last <= series_terms_limit)) return result;
+    const auto b = balance_energy(alpha, initial);
+    const double r_squared = b.regime == Regime::oscillation ? (b.rise.hi / b.alpha) : b.alpha / b.rise.hi;
+    double term = 1, sum = 1;
+    for (double n = 1; n <= last; ++n) {
+        const double factor = (2 * n - 1) / (2 * n);
+        term *= factor * factor * r_squared;
+        sum += term;
+    }
+    const double root = sqrt(b.regime == Regime::oscillation ? b.alpha : b.rise.hi) * b.unit;
+    result.tau = (b.regime == Regime::oscillation ? 2 * pi : pi) / root * sum;
+    return result;
+}
+
+}  // namespace pendula

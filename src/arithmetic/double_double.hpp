@@ -1,0 +1,128 @@
+// Double-double arithmetic: unevaluated sums hi + lo with |lo| <= ulp(hi)/2, some 106 bits.
+// Muller et al., Handbook of Floating-Point Arithmetic, 4.4, 5.1 and 14.1; Joldes, Muller & Popescu 2017 for the error bounds.
+#pragma once
+
+#include "arithmetic/pack.hpp"
+
+namespace pendula::arithmetic::inline PENDULA_ISA {
+
+template <class T>
+struct DoubleDouble {
+    T hi{};
+    T lo{};
+};
+
+/// a + b exactly.
+template <class T>
+inline DoubleDouble<T> two_sum(T a, T b) {
+    const T s = a + b;
+    const T bb = s - a;
+    return {s, (a - (s - bb)) + (b - bb)};
+}
+
+/// a + b exactly, where |a| >= |b| or a = 0.
+template <class T>
+inline DoubleDouble<T> fast_two_sum(T a, T b) {
+    const T s = a + b;
+    return {s, b - (s - a)};
+}
+
+/// a as two doubles of 26 bits at most, by Veltkamp. |a| < 2^996.
+template <class T>
+inline DoubleDouble<T> split(T a) {
+    const T c = a * 134217729.0;  // 2^27 + 1
+    const T hi = c - (c - a);
+    return {hi, a - hi};
+}
+
+/// a * b exactly, by Dekker; |a|, |b| < 2^996 and no part of the product below 2^-1074.
+template <class T>
+inline DoubleDouble<T> two_prod(T a, T b) {
+    const T p = a * b;
+    const auto x = split(a);
+    const auto y = split(b);
+    return {p, ((x.hi * y.hi - p) + x.hi * y.lo + x.lo * y.hi) + x.lo * y.lo};
+}
+
+template <class T>
+inline DoubleDouble<T> operator-(DoubleDouble<T> a) {
+    return {-a.hi, -a.lo};
+}
+
+/// Relative error at most 3 * 2^-106, of the result also where it cancels.
+template <class T>
+inline DoubleDouble<T> operator+(DoubleDouble<T> a, DoubleDouble<T> b) {
+    const auto s = two_sum(a.hi, b.hi);
+    const auto t = two_sum(a.lo, b.lo);
+    const auto v = fast_two_sum(s.hi, s.lo + t.hi);
+    return fast_two_sum(v.hi, t.lo + v.lo);
+}
+
+template <class T>
+inline DoubleDouble<T> operator-(DoubleDouble<T> a, DoubleDouble<T> b) {
+    return a + -b;
+}
+
+template <class T>
+inline DoubleDouble<T> operator+(DoubleDouble<T> a, T b) {
+    const auto s = two_sum(a.hi, b);
+    return fast_two_sum(s.hi, a.lo + s.lo);
+}
+
+/// Relative error at most 5 * 2^-106.
+template <class T>
+inline DoubleDouble<T> operator*(DoubleDouble<T> a, DoubleDouble<T> b) {
+    const auto p = two_prod(a.hi, b.hi);
+    return fast_two_sum(p.hi, p.lo + (a.hi * b.lo + a.lo * b.hi));
+}
+
+template <class T>
+inline DoubleDouble<T> operator*(DoubleDouble<T> a, T b) {
+    const auto p = two_prod(a.hi, b);
+    return fast_two_sum(p.hi, p.lo + a.lo * b);
+}
+
+/// By a power of two.
+template <class T>
+inline DoubleDouble<T> scaled(DoubleDouble<T> a, T power) {
+    return {a.hi * power, a.lo * power};
+}
+
+/// Relative error at most 10 * 2^-106.
+template <class T>
+inline DoubleDouble<T> operator/(DoubleDouble<T> a, DoubleDouble<T> b) {
+    const T q = a.hi / b.hi;
+    const auto rest = a - b * q;
+    return fast_two_sum(q, (rest.hi + rest.lo) / b.hi);
+}
+
+/// Square root by one step of Newton's method (Karp & Markstein 1997); relative error some 2^-104. 0 gives 0.
+template <class T>
+inline DoubleDouble<T> sqrt(DoubleDouble<T> a) {
+    const T root = sqrt(a.hi);
+    const auto rest = a - two_prod(root, root);
+    const T correction = select(root > 0.0, (rest.hi + rest.lo) / (2.0 * root), T{});
+    return fast_two_sum(root, correction);
+}
+
+/// The arithmetic-geometric mean of a >= b > 0; quadratic convergence, 10 rounds from any two doubles (DLMF 19.8).
+/// Relative error some 2^-100.
+template <class T>
+inline DoubleDouble<T> agm(DoubleDouble<T> a, DoubleDouble<T> b) {
+    for (int round = 0; round < 10; ++round) {
+        const auto mean = scaled(a + b, splat<T>(0.5));
+        b = sqrt(a * b);
+        a = mean;
+    }
+    return scaled(a + b, splat<T>(0.5));
+}
+
+/// Sum of c[i] x^i in double-double, from coefficients in two arrays.
+template <class T, int n>
+inline DoubleDouble<T> horner(DoubleDouble<T> x, const DoubleDouble<T> (&c)[n]) {
+    auto sum = c[n - 1];
+    for (int i = n - 2; i >= 0; --i) sum = sum * x + c[i];
+    return sum;
+}
+
+}  // namespace pendula::arithmetic::inline PENDULA_ISA

@@ -1,0 +1,117 @@
+// sin, cos and sincos, in doubles for every argument and in double-double.
+#pragma once
+
+#include "arithmetic/coefficients.hpp"
+#include "arithmetic/double_double.hpp"
+#include "arithmetic/polynomial.hpp"
+#include "arithmetic/reduce_huge.hpp"
+
+namespace pendula::arithmetic::inline PENDULA_ISA {
+
+template <class T>
+struct SinCos {
+    T sin;
+    T cos;
+};
+
+/// An angle less a whole number of quarter turns: x = hi + lo + (pi/2) quadrant; the low two bits of quadrant count.
+template <class T>
+struct Reduction {
+    T hi;
+    T lo;
+    Bits<T> quadrant;
+};
+
+/// |hi + lo| <= pi/4 (1 + 2^-20), with an error below 2^-130 (1 + |x|). Infinite x and NaN give NaN.
+template <class T>
+inline Reduction<T> reduce_to_quarter_turn(T x) {
+    constexpr double limit = 0x1p20;  // times 2/pi below 2^20, so that the products are exact
+    const T shifted = x * two_over_pi[0] + rounder;
+    const T n = shifted - rounder;
+    const auto a = two_sum(x - n * pi_over_2_parts[0], -(n * pi_over_2_parts[1]));
+    const auto b = two_sum(a.hi, -(n * pi_over_2_parts[2]));
+    const auto r = two_sum(b.hi, (a.lo + b.lo) - n * pi_over_2_parts[3]);
+    Reduction<T> result{r.hi, r.lo, bits(shifted)};
+    if (any<T>(abs(x) > limit)) {
+        for (int i = 0; i < lanes<T>; ++i) {
+            if (!(abs(lane(x, i)) > limit)) continue;
+            const auto huge = reduce_huge(lane(x, i));
+            lane(result.hi, i) = huge.hi;
+            lane(result.lo, i) = huge.lo;
+            reinterpret_cast<std::int64_t*>(&result.quadrant)[i] = huge.quadrant;
+        }
+    }
+    return result;
+}
+
+/// sin and cos of hi + lo, |hi + lo| <= pi/4.
+template <class T>
+inline SinCos<T> sincos_quarter(T hi, T lo) {
+    const T z = hi * hi;
+    const T half = 0.5 * z;
+    const T w = 1.0 - half;
+    return {hi + (hi * z * polynomial(z, sin_quarter) + lo * w),
+            w + (((1.0 - w) - half) + (z * z * polynomial(z, cos_quarter) - hi * lo))};
+}
+
+/// Turns (sin, cos) of a reduced angle into those of the angle.
+template <class T>
+inline SinCos<T> rotate_quadrants(SinCos<T> r, Bits<T> quadrant) {
+    const auto is_odd = (quadrant & 1) != 0;
+    const T s = select(is_odd, r.cos, r.sin);
+    const T c = select(is_odd, r.sin, r.cos);
+    return {from_bits<T>(bits(s) ^ (quadrant & 2) << 62), from_bits<T>(bits(c) ^ ((quadrant + 1) & 2) << 62)};
+}
+
+/// sin x and cos x within 0.95 ulp for every finite x; odd and even to the bit. Infinite x and NaN give NaN.
+template <class T>
+inline SinCos<T> sincos(T x) {
+    const auto r = reduce_to_quarter_turn(x);
+    auto result = rotate_quadrants(sincos_quarter(r.hi, r.lo), r.quadrant);
+    result.sin = select(abs(x) < 0x1p-27, x, result.sin);  // -0 and denormals
+    return result;
+}
+
+template <class T>
+inline T sin(T x) {
+    return sincos(x).sin;
+}
+
+template <class T>
+inline T cos(T x) {
+    return sincos(x).cos;
+}
+
+/// sin(2 pi p) and cos(2 pi p) for |p| <= 1/4, within 3e-16 absolute and sin within 3 ulp, without a choice of quadrant:
+/// by the double angle.
+template <class T>
+inline SinCos<T> sincos_of_half_turn(T p) {
+    const auto half = sincos_quarter<T>(p * pi_dd[0], p * pi_dd[1]);
+    const T twice = half.sin + half.sin;
+    return {twice * half.cos, 1.0 - twice * half.sin};
+}
+
+/// sin and cos in double-double for |x| <= 2^1023, absolute error below 2^-103 and relative 2^-100 but near the zeros of
+/// huge arguments. Taylor's series to the 28th power on |x| <= pi/4. For scalars: it loops.
+template <class T>
+inline SinCos<DoubleDouble<T>> sincos_double_double(T x) {
+    const auto r = reduce_to_quarter_turn(x);
+    const DoubleDouble<T> angle{r.hi, r.lo};
+    const auto square = angle * angle;
+    DoubleDouble<T> even{};
+    DoubleDouble<T> odd{};
+    const auto inverse_factorial = [](int n) {
+        return DoubleDouble<T>{splat<T>(inverse_factorial_hi[n - 2]), splat<T>(inverse_factorial_lo[n - 2])};
+    };
+    for (int n = 28; n >= 2; n -= 2) {
+        even = inverse_factorial(n) - even * square;
+        odd = inverse_factorial(n + 1) - odd * square;
+    }
+    const auto s = angle - angle * square * odd;
+    const auto c = -(square * even) + splat<T>(1.0);
+    const auto hi = rotate_quadrants<T>({s.hi, c.hi}, r.quadrant);
+    const auto lo = rotate_quadrants<T>({s.lo, c.lo}, r.quadrant);
+    return {{hi.sin, lo.sin}, {hi.cos, lo.cos}};
+}
+
+}  // namespace pendula::arithmetic::inline PENDULA_ISA

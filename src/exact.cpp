@@ -1,0 +1,156 @@
+#include "pendula/exact.hpp"
+
+#include "arithmetic/elliptic.hpp"
+#include "arithmetic/exponential.hpp"
+#include "energy_balance.hpp"
+#include "kernels/dispatch.hpp"
+#include "kernels/exact_kernel.hpp"
+#include "pendula/angle.hpp"
+
+namespace pendula {
+
+using namespace arithmetic;
+using Number = EnergyBalance::Number;
+
+namespace {
+
+/// The theta functions of nome q as cubics in x = sin^2 z (DLMF 20.2): theta1 = 2 q^(1/4) sin z first(x),
+/// theta2 = 2 q^(1/4) cos z second(x), theta3 = third(x), theta4 = fourth(x). q <= e^-pi: the next terms are below 1e-21.
+struct ThetaSeries {
+    double first[4];
+    double second[4];
+    double third[4];
+    double fourth[4];
+};
+
+ThetaSeries theta_series(double q) noexcept {
+    const double q2 = q * q, q4 = q2 * q2, q6 = q4 * q2, q9 = q6 * q2 * q, q12 = q6 * q6;
+    ThetaSeries s{{1 - 3 * q2 + 5 * q6 - 7 * q12, 4 * q2 - 20 * q6 + 56 * q12, 16 * q6 - 112 * q12, 64 * q12},
+                  {1 + q2 + q6 + q12, -4 * q2 - 12 * q6 - 24 * q12, 16 * q6 + 80 * q12, -64 * q12},
+                  {},
+                  {}};
+    const double odd[4] = {2 * q + 2 * q9, -4 * q - 36 * q9, 96 * q9, -64 * q9};
+    const double even[4] = {1 + 2 * q4, -16 * q4, 16 * q4, 0};
+    for (int i = 0; i < 4; ++i) {
+        s.third[i] = even[i] + odd[i];
+        s.fourth[i] = even[i] - odd[i];
+    }
+    return s;
+}
+
+void set(double (&to)[4], const double (&from)[4], double factor) noexcept {
+    for (int i = 0; i < 4; ++i) to[i] = factor * from[i];
+}
+
+/// The cubics of sn, cn, dn by which the angle and its speed are written, with k of the motion's modulus and k' its
+/// complement; `speed` is the largest speed. Trigonometric for k^2 <= 1/2, else by Jacobi's imaginary transformation.
+void set_cubics(Exact& e, double k, double complement, double speed) noexcept {
+    const bool is_rotation = e.analysis.regime == Regime::rotation;
+    const bool is_hyperbolic = k * k > 0.5;
+    const auto s = is_hyperbolic ? theta_series(nome(complement * complement, k)) : theta_series(nome(k * k, complement));
+    const double second = s.second[0], third = s.third[0], fourth = s.fourth[0];  // at x = 0
+    if (is_rotation) {
+        set(e.angle_num, s.first, is_hyperbolic ? third / second : 1 / sqrt(complement));
+        set(e.angle_den, is_hyperbolic ? s.fourth : s.second, 1);
+        set(e.speed_num, s.third, speed * (is_hyperbolic ? second : fourth) / third);
+        set(e.speed_den, is_hyperbolic ? s.second : s.fourth, 1);
+    } else {
+        set(e.angle_num, s.first, (is_hyperbolic ? sqrt(k) : k / sqrt(complement)) * third / second);
+        set(e.angle_den, s.third, 1);
+        set(e.speed_num, is_hyperbolic ? s.fourth : s.second, speed * (is_hyperbolic ? second / fourth : fourth / second));
+        set(e.speed_den, is_hyperbolic ? s.second : s.fourth, 1);
+    }
+    if (is_hyperbolic) {
+        const auto mean = [](double x) { return agm(Number{1, 0}, Number{x, 0}).hi; };
+        e.stretch = pi * mean(k) / mean(complement);  // pi K/K'
+    }
+}
+
+void set_rate(Exact& e, Number rate, double unit) noexcept {
+    e.rate_hi = rate.hi * unit;
+    e.rate_lo = rate.lo * unit;
+}
+
+void set_separatrix(Exact& e, const EnergyBalance& b) noexcept {
+    const double sense = e.initial.omega < 0 ? -1 : 1;
+    const bool is_at_rest = e.initial.omega == 0;
+    const auto root = sqrt(Number{b.alpha, 0});
+    e.phase = asinh(b.sine.hi / b.cosine.hi);
+    if (is_at_rest) {  // on top, where the interval has -pi only
+        e.phase = -abs(e.phase);
+        e.turns = round_even((e.initial.theta + pi) * inverse_two_pi[0]);
+    }
+    e.stretch = 1;
+    set_rate(e, is_at_rest ? Number{} : scaled(root, sense), b.unit);
+    e.angle_num[0] = e.angle_den[0] = e.speed_den[0] = 1;
+    e.speed_num[0] = is_at_rest ? 0 : 2 * sense * root.hi * b.unit;
+}
+
+/// F(phi)/K by Carlson's integrals, mirrored where the cosine is negative; s, c of phi, dn^2 = 1 - k^2 s^2.
+double initial_phase(double s, double c, double dn_squared, double complement) noexcept {
+    const double quarter = s * carlson_rf(c * c, dn_squared, 1.0) / carlson_rf(0.0, complement * complement, 1.0);
+    return c >= 0 ? quarter : (s < 0 ? -2 : 2) - quarter;
+}
+
+void set_oscillation(Exact& e, const EnergyBalance& b) noexcept {
+    const auto root = sqrt(Number{b.alpha, 0});
+    const auto modulus = modulus_of_oscillation(b);
+    const double complement = sqrt(b.gap / Number{b.alpha, 0}).hi;
+    set_rate(e, scaled(frequency(b), 2.0), b.unit);
+    set_cubics(e, modulus.k.hi, complement, 2 * (modulus.k * root).hi * b.unit);
+    if (modulus.k.hi == 0) return;
+    // The angle's own half turn has its cosine >= 0; the angle as given may lie in the other half.
+    const double side = b.cosine.hi < 0 ? -1 : 1;
+    const double s = side * (b.sine / modulus.k).hi;
+    const double c = (modulus.speed / modulus.k).hi;
+    e.phase = 0.5 * initial_phase(s, c, b.cosine.hi * b.cosine.hi, complement);
+}
+
+void set_rotation(Exact& e, const EnergyBalance& b) noexcept {
+    const double sense = e.initial.omega < 0 ? -1 : 1;
+    const double k = sqrt(Number{b.alpha, 0} / b.rise).hi;
+    const double complement = sqrt(-b.gap / b.rise).hi;
+    const double dn = (b.half_omega / sqrt(b.rise)).hi;
+    const double side = b.cosine.hi < 0 ? -1 : 1;
+    set_rate(e, scaled(frequency(b), sense), b.unit);
+    set_cubics(e, k, complement, 2 * sense * sqrt(b.rise).hi * b.unit);
+    e.phase = 0.5 * initial_phase(side * b.sine.hi, abs(b.cosine.hi), dn * dn, complement);
+}
+
+}  // namespace
+
+Exact exact(double alpha, State initial) noexcept {
+    Exact e{};
+    e.analysis = analyze(alpha, initial);
+    e.initial = initial;
+    if (e.analysis.tau != e.analysis.tau) {
+        e.phase = e.rate_hi = e.turns = e.speed_num[0] = e.analysis.tau;
+        return e;
+    }
+    const auto b = balance_energy(alpha, initial);
+    e.turns = initial.theta == pi ? 0 : split_turns(initial.theta).turns;  // `pi` lies below pi
+    if (e.analysis.regime == Regime::separatrix) set_separatrix(e, b);
+    if (e.analysis.regime == Regime::oscillation) set_oscillation(e, b);
+    if (e.analysis.regime == Regime::rotation) set_rotation(e, b);
+    return e;
+}
+
+Sample at(const Exact& solution, double t) noexcept {
+    const auto s = kernels::closed_form(solution, t);
+    return {t, s.theta, s.omega, s.turns};
+}
+
+void at(const Exact& solution, std::size_t n, const double* t, double* theta, double* omega, double* turns) noexcept {
+    kernels::dispatch().exact(solution, n, t, theta, omega, turns);
+}
+
+double sinusoid(const Exact& e, double t) noexcept {
+    if (e.analysis.regime != Regime::oscillation) return __builtin_nan("");
+    const double amplitude = e.analysis.theta_max;
+    if (amplitude == 0) return 0;
+    const auto p = kernels::phase_of(t, e.rate_hi, e.rate_lo, 0.0);  // in half periods
+    const double start = pendula::phase(wrap(e.initial.theta) / amplitude, e.initial.omega);
+    return amplitude * kernels::sign_of_half_periods(p.whole) * sin(pi * p.fraction + start);
+}
+
+}  // namespace pendula

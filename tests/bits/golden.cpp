@@ -162,10 +162,10 @@ void exact_one_by_one(Hash& hash) {
 }
 
 void exact_in_packs(Hash& hash) {
-    static Sample samples[times];
+    static double theta[times], omega[times], turns[times];
     for_each_orbit([&](const Exact& orbit, const double* t) {
-        at(orbit, times, t, samples);
-        for (const Sample& sample : samples) hash(sample);
+        at(orbit, times, t, theta, omega, turns);
+        for (std::size_t i = 0; i < times; ++i) hash(Sample{t[i], theta[i], omega[i], turns[i]});
     });
 }
 

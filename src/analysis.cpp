@@ -31,7 +31,8 @@ double ulp(double x) noexcept {
 }
 
 /// How far one unit in the last place of theta, omega and alpha can move the gap, to first and second order.
-double reach_of_one_ulp(const EnergyBalance& b, double alpha_ulp, double theta_ulp, double omega_ulp) noexcept {
+double reach_of_one_ulp(const EnergyBalance& b, double theta_ulp, double omega_ulp) noexcept {
+    const double alpha_ulp = power_of_two_below(b.alpha) * 0x1p-52;  // as of a normal number, also where alpha is not
     const double sine = b.sine.hi, cosine = b.cosine.hi;
     const double first = b.alpha * abs(sine * cosine) * theta_ulp + abs(b.half_omega.hi) * omega_ulp + cosine * cosine * alpha_ulp;
     const double second = 0.25 * b.alpha * abs(cosine * cosine - sine * sine) * theta_ulp * theta_ulp +
@@ -40,13 +41,13 @@ double reach_of_one_ulp(const EnergyBalance& b, double alpha_ulp, double theta_u
 }
 
 /// (3.5): the time from theta to 0.999 theta_max, or 10/sqrt(alpha) where there is nothing to time. The difference of the two
-/// asinh(tan(.)) of (3.5) is taken as one, asinh(sin(A - B)/(cos A cos B)), which loses nothing near the mark.
+/// asinh(tan(.)) of (3.5) is taken as one, asinh((sin A - sin B)/(cos A cos B)), which loses nothing near the mark.
 double separatrix_time(const EnergyBalance& b, double omega) noexcept {
     const double root = sqrt(b.alpha) * b.unit;
     const Number mark_sine{mark_sine_dd[0], mark_sine_dd[1]};
     const Number mark_cosine{mark_cosine_dd[0], mark_cosine_dd[1]};
     const auto sine = omega < 0 ? -b.sine : b.sine;
-    const auto way = (mark_sine * b.cosine - mark_cosine * sine) / (mark_cosine * b.cosine);
+    const auto way = (mark_sine - sine) / (mark_cosine * b.cosine);
     return omega == 0 || way.hi <= 0 ? 10 / root : asinh(way.hi) / root;
 }
 
@@ -73,8 +74,7 @@ EnergyBalance balance_energy(double alpha, State initial) noexcept {
     const auto kinetic = two_prod(b.half_omega.hi, b.half_omega.hi);
     b.rise = b.sine * b.sine * b.alpha + kinetic;
     b.gap = b.cosine * b.cosine * b.alpha - kinetic;
-    const double reach =
-        reach_of_one_ulp(b, ulp(alpha) / b.unit / b.unit, ulp(initial.theta), ulp(initial.omega) / b.unit);
+    const double reach = reach_of_one_ulp(b, ulp(initial.theta), ulp(initial.omega) / b.unit);
     b.regime = abs(b.gap.hi) <= reach ? Regime::separatrix : b.gap.hi > 0 ? Regime::oscillation : Regime::rotation;
     return b;
 }

@@ -1,6 +1,8 @@
-"""The installed package serves a program outside the tree, by find_package and by pkg-config, and from wherever it is moved."""
+"""The installed package serves a program outside the tree, by find_package and by pkg-config, from wherever it is moved; and
+the READMEs show what happens."""
 
 import os
+import re
 import shutil
 import subprocess
 from pathlib import Path
@@ -8,8 +10,9 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
-CONSUMER = Path(__file__).parent / "consumer"
-OUTPUT = "2.36784 -1.5708\n"  # 4 K(sin 45 deg)/sqrt(9.81), and the other end of the swing
+EXAMPLE = ROOT / "examples" / "library"
+OUTPUT = "0.148326 1.5598 -0.148324\n"
+READMES = [ROOT / "README.md", ROOT / "README.es.md"]
 
 
 def run(*command, **environment):
@@ -28,20 +31,32 @@ def prefix(tmp_path_factory):
 
 
 def test_find_package(prefix, tmp_path):
-    shutil.copytree(CONSUMER, tmp_path / "source")
+    shutil.copytree(EXAMPLE, tmp_path / "source")
     run("cmake", "-S", tmp_path / "source", "-B", tmp_path / "build", f"-DCMAKE_PREFIX_PATH={prefix}")
     run("cmake", "--build", tmp_path / "build")
-    assert run(tmp_path / "build" / "consumer") == OUTPUT
+    assert run(tmp_path / "build" / "example") == OUTPUT
 
 
 def test_pkg_config(prefix, tmp_path):
     folder = next(prefix.rglob("pendula.pc")).parent
     flags = run("pkg-config", "--cflags", "--libs", "pendula", PKG_CONFIG_PATH=str(folder)).split()
-    run("c++", "-std=c++20", CONSUMER / "main.cpp", *flags, "-o", tmp_path / "consumer")
-    assert run(tmp_path / "consumer") == OUTPUT
+    run("c++", "-std=c++20", EXAMPLE / "main.cpp", *flags, "-o", tmp_path / "example")
+    assert run(tmp_path / "example") == OUTPUT
 
 
-def test_the_program_is_installed(prefix):
-    assert "0.148326 1.5598 -0.148324 1.55841" in subprocess.run(
-        [prefix / "bin" / "pendula"], input="0.0001 0.02 1 90 s 0 r 1", capture_output=True, text=True, check=True
-    ).stdout.splitlines()
+@pytest.mark.parametrize("readme", READMES, ids=lambda path: path.name)
+def test_a_readme_shows_the_example_and_what_the_program_prints(prefix, readme):
+    text = readme.read_text()
+    assert (EXAMPLE / "main.cpp").read_text() in text
+    command, shown = re.search(r"^\$ (.*)\n([^`]*)```", text, re.MULTILINE).groups()
+    path = f"{prefix / 'bin'}:{os.environ['PATH']}"
+    assert run("sh", "-c", command, PATH=path) == shown
+
+
+@pytest.mark.parametrize("readme", READMES, ids=lambda path: path.name)
+def test_a_readme_shows_commands_that_work(prefix, readme):
+    path = f"{prefix / 'bin'}:{os.environ['PATH']}"
+    commands = re.findall(r"^(?:pendula|echo) .*", readme.read_text(), re.MULTILINE)
+    assert len(commands) == 3
+    for command in commands:
+        run("sh", "-c", command, PATH=path)

@@ -1,0 +1,115 @@
+"""Makes tests/data/elementary.txt: elementary functions on random and on hard arguments.
+
+    python tools/make_elementary.py > tests/data/elementary.txt     (needs python-flint; 2,400 bits)
+"""
+
+import math
+import random
+from fractions import Fraction
+
+from flint import arb, ctx
+
+from reference_table import exact, nearest, pair, text
+
+ctx.prec = 2400  # a huge argument of sin loses 1,024 bits to the turns in it, and a hard one 60 more
+random.seed(20260102)
+uniform = random.uniform
+TINY, HUGE = 5e-324, math.nextafter(math.inf, 0)
+
+
+def power(low: float, high: float) -> float:
+    return random.choice((-1, 1)) * 10 ** uniform(low, high)
+
+
+def near_quarter_turns(exponent: int) -> float:
+    """Of all m 2^exponent with m < 2^53, the double nearest, relatively, to a multiple of pi/2: by continued fractions."""
+    x = exact(arb(2) ** exponent * 2 / arb.pi())
+    before, last = 0, 1  # denominators of convergents of x
+    while last < 2**53:
+        best, x = last, 1 / (x - x.numerator // x.denominator)
+        before, last = last, x.numerator // x.denominator * last + before
+    return math.ldexp(float(best), exponent)
+
+
+def quarter_turn_distance(x: float) -> Fraction:
+    q = arb(x) * 2 / arb.pi()
+    return abs(exact(q - (q + arb(0.5)).floor().unique_fmpz()))
+
+
+def angles() -> list[float]:
+    hard = sorted({near_quarter_turns(e) for e in range(-52, 971)}, key=quarter_turn_distance)
+    xs = [6381956970095103.0 * 2.0**797, TINY, 2.2e-308, 2.0**-27, math.nextafter(2.0**-27, 0), 2.0**-26, 2.0**20, math.nextafter(2.0**20, 3e6), HUGE]
+    xs += [math.pi / 4 * k for k in range(1, 17)] + hard[:40] + hard[60::18]
+    return xs + [uniform(-4, 4) for _ in range(100)] + [power(0, 6.5) for _ in range(60)] + [power(-9, 308) for _ in range(100)]
+
+
+def exponents() -> list[float]:
+    edges = [709.782712893384, 709.7827128933841, -745.1332191019411, -745.1332191019412, -708.3964185322641, -708.3964185322642,
+             -744.4400719213812, -710.5, -740.25, 1e-300, -TINY, 1e-17, -1e-17, 2.0**-53, 2.0**-54]
+    halves = [math.log(2) * (k + 0.5) for k in range(-12, 12)]
+    return edges + halves + [uniform(-1, 1) for _ in range(80)] + [uniform(-745, 709.7) for _ in range(120)]
+
+
+def positives() -> list[float]:
+    ones = [1 + s * 2.0**-k for k in range(1, 53, 3) for s in (-1, 1)]
+    roots = [math.sqrt(0.5) * (1 + k * 2.0**-51) for k in range(-3, 4)] + [math.sqrt(2) * (1 + k * 2.0**-51) for k in range(-3, 4)]
+    return ones + roots + [TINY, 2e-310, 2.0**-1022, HUGE, 1e15] + [uniform(0.4, 2.2) for _ in range(80)] + [abs(power(-308, 308)) for _ in range(60)]
+
+
+def above_minus_one() -> list[float]:
+    edges = [-1 + 2.0**-k for k in range(2, 54, 3)] + [2.0**-54, -2.0**-54, 2.0**-53, -2.0**-53, 2.0**53, 2.0**54, TINY, HUGE, 1e-300]
+    roots = [math.sqrt(0.5) - 1 + k * 2.0**-53 for k in range(-3, 4)] + [math.sqrt(2) - 1 + k * 2.0**-53 for k in range(-3, 4)]
+    return edges + roots + [uniform(-0.9999, 2) for _ in range(100)] + [power(-20, -0.01) for _ in range(50)] + [abs(power(0, 300)) for _ in range(40)]
+
+
+def any_size(limit: float) -> list[float]:
+    edges = [TINY, 1e-300, 2.0**-27, 2.0**-28, 1.0, -1.0, math.tan(math.pi / 8), 0.41421356237309503, 2.414213562373095, 1e8]
+    return edges + [uniform(-3, 3) for _ in range(100)] + [power(-limit, limit) for _ in range(50)] + [power(-8, 8) for _ in range(60)]
+
+
+def directions() -> list[tuple[float, float]]:
+    edges = [(1e-320, 3e-320), (TINY, TINY), (TINY, -TINY), (HUGE, HUGE), (HUGE, -1.0), (1.0, HUGE), (-HUGE, 1e300), (1e300, -1e-300)]
+    wide = [(power(-300, 300), power(-300, 300)) for _ in range(50)]
+    close = [(s, s * uniform(0.98, 1.02) * random.choice((-1, 1))) for s in (power(-307, 307) for _ in range(50))]
+    return edges + wide + close + [(uniform(-1, 1), uniform(-1, 1)) for _ in range(120)]
+
+
+def halves() -> list[float]:
+    return [0.25, -0.25, 0.125, TINY, 1e-20] + [uniform(-0.25, 0.25) for _ in range(80)] + [power(-15, -1) for _ in range(20)]
+
+
+def full(x: arb) -> str:
+    """Two whole doubles."""
+    hi = nearest(exact(x))
+    return f"{text(hi)} {text(nearest(exact(x) - Fraction(hi)))}"
+
+
+def two_pi(p: float) -> arb:
+    return 2 * arb.pi() * arb(p)
+
+
+def cos_turns(p: float) -> arb:
+    return arb(0) if abs(p) == 0.25 else two_pi(p).cos()
+
+
+def main():
+    print("# Made by tools/make_elementary.py, with the command that stands there; do not edit.")
+    print("# FUNCTION argument... value...     values are pairs: the nearest double and the rest to 9 bits")
+    xs = angles()
+    for x in xs:
+        print("sincos", text(x), pair(arb(x).sin()), pair(arb(x).cos()))
+    for x in xs[::4]:
+        print("sincos_double_double", text(x), full(arb(x).sin()), full(arb(x).cos()))  # two whole doubles each
+    for p in halves():
+        print("sincos_of_half_turn", text(p), pair(two_pi(p).sin()), pair(cos_turns(p)))
+    for name, xs, f in (("exp", exponents(), arb.exp), ("log", positives(), arb.log), ("log1p", above_minus_one(), arb.log1p),
+                        ("asinh", any_size(150), arb.asinh), ("atan", any_size(300), arb.atan)):
+        for x in xs:
+            if f is not arb.log or x != 1:
+                print(name, text(x), pair(f(arb(x))))
+    for y, x in directions():
+        print("atan2", text(y), text(x), pair(arb.atan2(arb(y), arb(x))))
+
+
+if __name__ == "__main__":
+    main()

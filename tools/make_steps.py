@@ -1,0 +1,67 @@
+"""Makes tests/data/steps.txt: Euler's, Verlet's and Runge-Kutta's (3.10) methods step by step in 57 digits.
+
+    python tools/make_steps.py > tests/data/steps.txt     (needs python-flint; some minutes)
+    python tools/make_steps.py 256                        (the same text: the precision suffices)
+"""
+
+import math
+import sys
+
+from flint import arb, ctx
+
+from reference_table import pair, text
+
+ctx.prec = int(sys.argv[1]) if len(sys.argv) > 1 else 192
+
+
+def euler(a, x, w, h):
+    return x + w * h, w - a * x.sin() * h
+
+
+def verlet(a, x, w, h):
+    """Velocity form: half a kick, a drift, half a kick."""
+    half = w - a * x.sin() * h / 2
+    x = x + half * h
+    return x, half - a * x.sin() * h / 2
+
+
+def rk4(a, x, w, h):
+    xa, wa = w * h, -a * x.sin() * h
+    xb, wb = (w + wa / 2) * h, -a * (x + xa / 2).sin() * h
+    xc, wc = (w + wb / 2) * h, -a * (x + xb / 2).sin() * h
+    xd, wd = (w + wc) * h, -a * (x + xc).sin() * h
+    return x + (xa + 2 * xb + 2 * xc + xd) / 6, w + (wa + 2 * wb + 2 * wc + wd) / 6
+
+
+# alpha, theta, omega, h; one turns by a hundred radians a step.
+PROBLEMS = [
+    (1.0, math.pi / 2, 0.0, 0.000741629870920549), (1.0, 1.0, 0.5, 0.01), (9.81, 2.5, -1.0, 0.001), (1.0, 0.0, 2.01, 0.003),
+    (4.0, 3.0, 2.0, 0.01), (1.0, 1e-9, 0.0, 0.006), (1.0, 0.0, 1e-200, 0.006), (1.0, 0.3, 0.0, 0.5), (2.0, -1.0, 0.2, 1.1),
+    (1.0, 1.0, 1000.0, 0.1), (1e6, 1.0, 3.0, 1e-5), (1e-8, 2.0, -1e-4, 31.0),
+]
+# A hundred periods, and as many turns: for rounding errors. tau/10,000 each.
+LONG = [(1.0, math.pi / 2, 0.0, 0.000741629870920549), (1.0, 0.0, 2.5, 0.0002894), (9.81, 1.0, 0.0, 0.00021391)]
+
+
+def table(name, method, problem, checkpoints):
+    print("problem", name, *map(text, problem))
+    a, x, w, h = map(arb, problem)
+    for step in range(1, checkpoints[-1] + 1):
+        x, w = (v.mid() for v in method(a, x, w, h))  # errors are bounded by the second precision, not by balls
+        if step in checkpoints:
+            print("after", step, pair(x), pair(w))
+
+
+def main():
+    print("# Made by tools/make_steps.py, with the command that stands there; do not edit.")
+    print("# problem METHOD alpha theta omega h | after steps theta omega     theta unwrapped; pairs: nearest double and rest")
+    for problem in PROBLEMS:
+        for name, method in (("euler", euler), ("verlet", verlet), ("rk4", rk4)):
+            is_long_step = problem[3] ** 2 * problem[0] > 0.1 or abs(problem[2]) * problem[3] > 1  # may be chaotic
+            table(name, method, problem, [1, 2, 10] if is_long_step else [1, 2, 10, 1000])
+    for problem in LONG:
+        table("rk4", rk4, problem, [10_000, 100_000, 250_000, 500_000, 750_000, 1_000_000])
+
+
+if __name__ == "__main__":
+    main()

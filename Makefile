@@ -22,7 +22,7 @@ test: .stamps/test .stamps/venv
 	cmake --build --preset dev
 	@status=0; \
 	ctest --preset dev || status=1; \
-	.venv/bin/pytest tests || status=1; \
+	PENDULA_PROGRAM=build/dev/pendula .venv/bin/pytest tests || status=1; \
 	exit $$status
 
 # Address and undefined-behaviour sanitizers over the C++ tests, then a minute of fuzzing the reader.

@@ -37,7 +37,7 @@ double wrap(double theta) noexcept {
 
 Angle split_turns(double theta) noexcept {
     const double wrapped = wrap(theta);
-    return {wrapped, round_even((theta - wrapped) * inverse_two_pi[0])};
+    return {wrapped, round_even((theta - wrapped) * inverse_two_pi_dd[0])};
 }
 
 double phase(double s, double r) noexcept {

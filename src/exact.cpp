@@ -78,7 +78,7 @@ void set_separatrix(Exact& e, const EnergyBalance& b) noexcept {
     e.phase = asinh(b.sine.hi / b.cosine.hi);
     if (is_at_rest) {  // on top, where the interval has -pi only
         e.phase = -abs(e.phase);
-        e.turns = round_even((e.initial.theta + pi) * inverse_two_pi[0]);
+        e.turns = round_even((e.initial.theta + pi) * inverse_two_pi_dd[0]);
     }
     e.stretch = 1;
     set_rate(e, is_at_rest ? Number{} : scaled(root, sense), b.unit);
@@ -148,7 +148,7 @@ double sinusoid(const Exact& e, double t) noexcept {
     if (e.analysis.regime != Regime::oscillation) return __builtin_nan("");
     const double amplitude = e.analysis.theta_max;
     if (amplitude == 0) return 0;
-    const auto p = kernels::phase_of(t, e.rate_hi, e.rate_lo, 0.0);  // in half periods
+    const auto p = kernels::to_phase(kernels::turned(t, Number{e.rate_hi, e.rate_lo}), 0.0);  // half periods
     const double start = pendula::phase(wrap(e.initial.theta) / amplitude, e.initial.omega);
     return amplitude * kernels::sign_of_half_periods(p.whole) * sin(pi * p.fraction + start);
 }

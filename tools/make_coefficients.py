@@ -74,10 +74,10 @@ namespace pendula::arithmetic {
 """)
 array("pi_over_2_parts", parts(pi / 2, [33, 33, 33]), "pi/2 in 33 + 33 + 33 + 53 bits: products by a whole number below 2^20 are exact.")
 array("two_over_pi", [double(2 / pi)], "2/pi.")
-for name, x in {"pi_dd": pi, "two_pi_dd": 2 * pi, "pi_over_2_dd": pi / 2, "pi_over_180_dd": pi / 180, "ln2_dd": log(2)}.items():
+doubles = {"pi_dd": pi, "two_pi_dd": 2 * pi, "pi_over_2_dd": pi / 2, "pi_over_180_dd": pi / 180, "ln2_dd": log(2), "inverse_two_pi_dd": 1 / (2 * pi)}
+for name, x in doubles.items():
     array(name, [double(x), double(x - mpf(double(x)))], f"{name[:-3]} in two doubles.")
 array("two_pi_parts", parts(2 * pi, [26, 26, 53]), "2 pi in 26 + 26 + 53 + 53 bits: products by a whole number of up to 27 bits are exact in the first two.")
-array("inverse_two_pi", [double(1 / (2 * pi))], "1/(2 pi).")
 array("ln2_parts", parts(log(2), [32]), "ln 2 in 32 + 53 bits: products by a binary exponent are exact in the first.")
 array("inverse_ln2", [double(1 / log(2))], "1/ln 2.")
 for name, x in {"mark_sine_dd": sin(mpf("0.999") * pi / 2), "mark_cosine_dd": cos(mpf("0.999") * pi / 2)}.items():
@@ -85,6 +85,7 @@ for name, x in {"mark_sine_dd": sin(mpf("0.999") * pi / 2), "mark_cosine_dd": co
 
 trigonometric("quarter", pi / 4 * mpf("1.0001"), 6, 6, "pi/4")
 trigonometric("short", mpf(1) / 48, 2, 2, "1/48")
+trigonometric("tiny", mpf(1) / 768, 1, 1, "1/768")
 polynomial("exp_remainder", "(exp x - 1 - x)/x^2, |x| <= ln(2)/2, relative to exp x",
            around_zero(lambda x: (exp(x) - 1 - x) / x**2, power_series(lambda n: 1 / factorial(n + 2))),
            [-log(2) / 2 * mpf("1.0001"), log(2) / 2 * mpf("1.0001")], 11, lambda x: x**2 / exp(x))

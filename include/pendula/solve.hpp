@@ -45,12 +45,13 @@ struct Problem {
 /// A run in progress; memory does not grow with its length. Start it with `begin`.
 struct Trajectory {
     Problem problem;
-    Exact solution;           ///< where the pendulum is conservative
-    State state;              ///< at the last step
+    Exact solution;               ///< of a conservative pendulum
+    double theta = 0, omega = 0;  ///< at the last step, theta in [-pi, pi)
     double turns = 0;
-    double rows_done = 0;     ///< rows delivered
-    double steps_done = 0;    ///< steps taken since the last row
-    bool is_resting = false;  ///< in equilibrium, as far as the initial values can tell: every row is the first
+    double theta_lo = 0, omega_lo = 0;  ///< what rounding has kept out of them
+    double rows_done = 0;               ///< rows delivered
+    double steps_done = 0;              ///< steps taken since the last row
+    bool is_resting = false;            ///< at rest on top, as far as the initial values can tell: every row is the first
 
     bool is_finished() const noexcept { return rows_done >= problem.schedule.rows; }
 };

@@ -46,17 +46,18 @@ inline constexpr double ln2_dd[2] = {
     0x1.abc9e3b39803fp-56,
 };
 
+// inverse_two_pi in two doubles.
+inline constexpr double inverse_two_pi_dd[2] = {
+    0x1.45f306dc9c883p-3,
+    -0x1.6b01ec5417056p-57,
+};
+
 // 2 pi in 26 + 26 + 53 + 53 bits: products by a whole number of up to 27 bits are exact in the first two.
 inline constexpr double two_pi_parts[4] = {
     0x1.921fb50000000p+2,
     0x1.110b460000000p-24,
     0x1.1a62633145c06p-52,
     0x1.c1cd129024e09p-105,
-};
-
-// 1/(2 pi).
-inline constexpr double inverse_two_pi[1] = {
-    0x1.45f306dc9c883p-3,
 };
 
 // ln 2 in 32 + 53 bits: products by a binary exponent are exact in the first.
@@ -112,6 +113,16 @@ inline constexpr double sin_short[2] = {
 inline constexpr double cos_short[2] = {
     0x1.5555555540c90p-5,
     -0x1.6c16087d2cbb1p-10,
+};
+
+// (sin x - x)/x^3 in x^2, |x| <= 1/768, relative to sin x: largest error 1.2e-14 = 2^-46.3.
+inline constexpr double sin_tiny[1] = {
+    -0x1.555554629b7f6p-3,
+};
+
+// (cos x - 1 + x^2/2)/x^4 in x^2, |x| <= 1/768, absolute: largest error 3.4e-21 = 2^-68.0.
+inline constexpr double cos_tiny[1] = {
+    0x1.555554b3841c0p-5,
 };
 
 // (exp x - 1 - x)/x^2, |x| <= ln(2)/2, relative to exp x: largest error 3.4e-19 = 2^-61.4.

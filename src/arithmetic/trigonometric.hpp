@@ -82,13 +82,15 @@ inline T cos(T x) {
     return sincos(x).cos;
 }
 
-/// sin(2 pi p) and cos(2 pi p) for |p| <= 1/4, within 3e-16 absolute and sin within 3 ulp, without a choice of quadrant:
-/// by the double angle.
+/// sin(pi f) and cos(pi f) for |f| <= 1/2 (1 + 2^-50), within 1 ulp; exactly 1 and 0 at 1/2.
 template <class T>
-inline SinCos<T> sincos_of_half_turn(T p) {
-    const auto half = sincos_quarter<T>(p * pi_dd[0], p * pi_dd[1]);
-    const T twice = half.sin + half.sin;
-    return {twice * half.cos, 1.0 - twice * half.sin};
+inline SinCos<T> sincos_of_half_turn(T f) {
+    const T a = abs(f);
+    const auto is_steep = a > 0.25;
+    const T rest = 0.5 - a;
+    const T g = select(is_steep, rest, a);
+    const auto r = sincos_quarter<T>(g * pi_dd[0], g * pi_dd[1]);
+    return {copy_sign(select(is_steep, r.cos, r.sin), f), select(is_steep, r.sin, r.cos)};
 }
 
 /// sin and cos in double-double for |x| <= 2^1023, absolute error below 2^-103 and relative 2^-100 but near the zeros of

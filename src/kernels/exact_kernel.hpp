@@ -4,37 +4,12 @@
 #include "arithmetic/arctangent.hpp"
 #include "arithmetic/exponential.hpp"
 #include "arithmetic/trigonometric.hpp"
+#include "kernels/phase_kernel.hpp"
 #include "pendula/exact.hpp"
 
 namespace pendula::kernels::inline PENDULA_ISA {
 
 using namespace arithmetic;
-
-/// A product t * rate, rate in two doubles, as a double-double: t is cut by its bits, so that no t overflows.
-template <class T>
-inline DoubleDouble<T> turns_of(T t, double rate_hi, double rate_lo) {
-    const auto rate = split(rate_hi);
-    const T t_hi = from_bits<T>(bits(t) & ~std::int64_t{0x7ffffff});
-    const T t_lo = t - t_hi;
-    const T p = t * rate_hi;
-    const T rest = ((t_hi * rate.hi - p) + t_hi * rate.lo + t_lo * rate.hi) + t_lo * rate.lo;
-    return {p, rest + t * rate_lo};
-}
-
-/// A phase as a whole number and a fraction in [-1/2, 1/2].
-template <class T>
-struct Phase {
-    T whole;
-    T fraction;
-};
-
-template <class T>
-inline Phase<T> phase_of(T t, double rate_hi, double rate_lo, double start) {
-    const auto turned = turns_of(t, rate_hi, rate_lo);
-    const auto sum = two_sum(turned.hi, splat<T>(start));
-    const T whole = round_even(sum.hi);
-    return {whole, (sum.hi - whole) + (sum.lo + turned.lo)};
-}
 
 /// 1 where the number of half periods is even, -1 where it is odd.
 template <class T>
@@ -72,7 +47,7 @@ inline Argument<T> hyperbolic_argument(T zeta) {
 
 template <class T>
 inline Argument<T> circular_argument(T fraction) {
-    const auto r = sincos_of_half_turn(0.5 * fraction);
+    const auto r = sincos_of_half_turn(fraction);
     return {r.sin, r.cos, r.sin * r.sin};
 }
 
@@ -94,17 +69,16 @@ template <class T>
 inline Swing<T> closed_form(const Exact& e, T t) {
     const bool is_separatrix = e.analysis.regime == Regime::separatrix;
     const bool rotates = e.analysis.regime == Regime::rotation;
-    Phase<T> p;
+    const auto passed = turned(t, DoubleDouble<T>{splat<T>(e.rate_hi), splat<T>(e.rate_lo)});
+    Phase<T> p{};
     Argument<T> a;
     if (is_separatrix) {
         // Past 700 the angle is pi to the last bit; e^700 still has a reciprocal.
-        const auto turned = turns_of(t, e.rate_hi, e.rate_lo);
-        const T zeta = turned.hi + e.phase + turned.lo;
-        p = {T{}, T{}};
+        const T zeta = passed.hi + e.phase + passed.lo;
         a = hyperbolic_argument(select(abs(zeta) > 700.0, copy_sign(splat<T>(700.0), zeta), zeta));
         a.x = T{};  // the cubics are constants
     } else {
-        p = phase_of(t, e.rate_hi, e.rate_lo, e.phase);
+        p = to_phase(passed, splat<T>(e.phase));
         a = e.stretch == 0 ? circular_argument(p.fraction) : hyperbolic_argument(e.stretch * p.fraction);
     }
     const T square = a.x * a.x;

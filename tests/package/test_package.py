@@ -30,6 +30,11 @@ def prefix(tmp_path_factory):
     return (folder / "first").rename(folder / "second")
 
 
+def test_every_public_header_is_installed(prefix):
+    public = {path.name for path in (ROOT / "include" / "pendula").iterdir()}
+    assert {path.name for path in (prefix / "include" / "pendula").iterdir()} == public
+
+
 def test_find_package(prefix, tmp_path):
     shutil.copytree(EXAMPLE, tmp_path / "source")
     run("cmake", "-S", tmp_path / "source", "-B", tmp_path / "build", f"-DCMAKE_PREFIX_PATH={prefix}")

@@ -7,7 +7,7 @@ import math
 import random
 from fractions import Fraction
 
-from flint import arb, ctx
+from flint import acb, arb, ctx
 
 from reference_table import exact, nearest, pair, text
 
@@ -75,7 +75,32 @@ def directions() -> list[tuple[float, float]]:
 
 
 def halves() -> list[float]:
-    return [0.25, -0.25, 0.125, TINY, 1e-20] + [uniform(-0.25, 0.25) for _ in range(80)] + [power(-15, -1) for _ in range(20)]
+    edges = [0.5, -0.5, 0.25, -0.25, math.nextafter(0.25, 1), math.nextafter(0.5, 0), 1e-300, 1e-20]
+    return edges + [uniform(-0.5, 0.5) for _ in range(100)] + [power(-15, -1) for _ in range(20)] + [0.5 - power(-15, -1) ** 2 for _ in range(20)]
+
+
+# The largest errors among a million random arguments, found by a search against 113-bit arithmetic.
+SEARCHED = {
+    "sincos": ["0x1.f08fe82d23e4p+1", "0x1.f243e4b13b533p+1", "-0x1.2b3846de3795ep+41", "-0x1.fb502b924669dp+1"],
+    "exp": ["-0x1.b68e7a9c3eb9bp+0", "0x1.24865fe17307p+6"],
+    "log": ["0x1.67699c51bdd71p+0", "0x1.3df5a19bd1471p-1"],
+    "log1p": ["0x1.a23e9c3e117c4p-2", "-0x1.7c79241fabbb2p-2", "0x1.b71fde98d0dcbp+0"],
+    "asinh": ["0x1.085ca66fc2ep-1", "0x1.f61ab8f68a61ap-3", "-0x1.1ade0f644801fp+4"],
+    "atan": ["-0x1.9626cfbc9e7b8p-2", "0x1.b64ec25850b0dp-2"],
+    "sincos_of_half_turn": ["-0x1.54a42e81c5668p-3", "-0x1.58b9c822a73b6p-2"],
+}
+SEARCHED_ATAN2 = [("-0x1.6158f0f5b9764p-1", "-0x1.2d41c01b81fep-2")]
+SEARCHED_RF = [("0", "0x1.fa010bcd2781dp-88", "1"), ("0x1.eabd359094297p-94", "0x1.f3090ff2eb4e3p-85", "1")]
+
+
+def searched(name: str) -> list[float]:
+    return [float.fromhex(x) for x in SEARCHED[name]]
+
+
+def triples() -> list[tuple[float, float, float]]:
+    """Of R_F, as the closed form has them: the last is 1."""
+    some = [(abs(power(-32, 0)), abs(power(-32, 0)), 1.0) for _ in range(60)] + [(0.0, abs(power(-32, 0)), 1.0) for _ in range(40)]
+    return some + [(x, 1 - x * uniform(0, 1), 1.0) for x in (uniform(0, 1) for _ in range(60))] + [tuple(map(float.fromhex, t)) for t in SEARCHED_RF]
 
 
 def full(x: arb) -> str:
@@ -84,31 +109,29 @@ def full(x: arb) -> str:
     return f"{text(hi)} {text(nearest(exact(x) - Fraction(hi)))}"
 
 
-def two_pi(p: float) -> arb:
-    return 2 * arb.pi() * arb(p)
-
-
-def cos_turns(p: float) -> arb:
-    return arb(0) if abs(p) == 0.25 else two_pi(p).cos()
+def cos_of_half_turn(f: float) -> arb:
+    return arb(0) if abs(f) == 0.5 else arb(f).cos_pi()
 
 
 def main():
     print("# Made by tools/make_elementary.py, with the command that stands there; do not edit.")
     print("# FUNCTION argument... value...     values are pairs: the nearest double and the rest to 9 bits")
-    xs = angles()
+    xs = angles() + searched("sincos")
     for x in xs:
         print("sincos", text(x), pair(arb(x).sin()), pair(arb(x).cos()))
     for x in xs[::4]:
         print("sincos_double_double", text(x), full(arb(x).sin()), full(arb(x).cos()))  # two whole doubles each
-    for p in halves():
-        print("sincos_of_half_turn", text(p), pair(two_pi(p).sin()), pair(cos_turns(p)))
+    for f in halves() + searched("sincos_of_half_turn"):
+        print("sincos_of_half_turn", text(f), pair(arb(f).sin_pi()), pair(cos_of_half_turn(f)))
     for name, xs, f in (("exp", exponents(), arb.exp), ("log", positives(), arb.log), ("log1p", above_minus_one(), arb.log1p),
                         ("asinh", any_size(150), arb.asinh), ("atan", any_size(300), arb.atan)):
-        for x in xs:
+        for x in xs + searched(name):
             if f is not arb.log or x != 1:
                 print(name, text(x), pair(f(arb(x))))
-    for y, x in directions():
+    for y, x in directions() + [tuple(map(float.fromhex, t)) for t in SEARCHED_ATAN2]:
         print("atan2", text(y), text(x), pair(arb.atan2(arb(y), arb(x))))
+    for t in triples():
+        print("carlson_rf", *map(text, t), pair(acb.elliptic_rf(*map(arb, t)).real))
 
 
 if __name__ == "__main__":

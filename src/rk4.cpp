@@ -6,7 +6,7 @@ namespace pendula {
 
 State rk4_step(const Pendulum& pendulum, State state, double t, double dt) noexcept {
     kernels::Motion<double> x{state.theta, state.omega, 0, 0, 0};
-    rk4_steps(pendulum, rk4_constants(pendulum, dt), {t, 0}, x, 1);
+    rk4_steps(rk4_constants(pendulum, dt), t, 0, x, 1);
     return {unwrapped({0, x.theta, 0, x.turns}), x.omega};
 }
 

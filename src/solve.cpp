@@ -55,16 +55,9 @@ void plain_steps(Trajectory& run, double t, int steps, Step step) noexcept {
     run.omega = state.omega;
 }
 
-void rk4_steps(Trajectory& run, double row_time, int steps) noexcept {
-    const auto& p = run.problem.pendulum;
-    const double h = run.problem.schedule.step;
-    const auto constants = rk4_constants(p, h);
+void take_rk4_steps(Trajectory& run, double row_time, int steps) noexcept {
     kernels::Motion<double> x{run.theta, run.omega, run.turns, run.theta_lo, run.omega_lo};
-    for (int done = 0; done < steps; done += kernels::block_steps) {
-        const int left = steps - done;
-        rk4_steps(p, constants, two_sum(row_time, (run.steps_done + done) * h), x,
-                  left < kernels::block_steps ? left : kernels::block_steps);
-    }
+    rk4_steps(rk4_constants(run.problem.pendulum, run.problem.schedule.step), row_time, run.steps_done, x, steps);
     run.theta = x.theta;
     run.omega = x.omega;
     run.turns = x.turns;
@@ -81,7 +74,7 @@ int take_steps(Trajectory& run) noexcept {
     const double t = row_time + run.steps_done * run.problem.schedule.step;
     if (run.problem.method == Method::euler) plain_steps(run, t, steps, euler_step);
     if (run.problem.method == Method::verlet) plain_steps(run, t, steps, verlet_step);
-    if (run.problem.method == Method::rk4) rk4_steps(run, row_time, steps);
+    if (run.problem.method == Method::rk4) take_rk4_steps(run, row_time, steps);
     run.steps_done += steps;
     return steps;
 }

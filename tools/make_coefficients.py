@@ -85,7 +85,6 @@ for name, x in {"mark_sine_dd": sin(mpf("0.999") * pi / 2), "mark_cosine_dd": co
 
 trigonometric("quarter", pi / 4 * mpf("1.0001"), 6, 6, "pi/4")
 trigonometric("short", mpf(1) / 48, 2, 2, "1/48")
-trigonometric("tiny", mpf(1) / 768, 1, 1, "1/768")
 polynomial("exp_remainder", "(exp x - 1 - x)/x^2, |x| <= ln(2)/2, relative to exp x",
            around_zero(lambda x: (exp(x) - 1 - x) / x**2, power_series(lambda n: 1 / factorial(n + 2))),
            [-log(2) / 2 * mpf("1.0001"), log(2) / 2 * mpf("1.0001")], 11, lambda x: x**2 / exp(x))

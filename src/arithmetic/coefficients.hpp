@@ -115,16 +115,6 @@ inline constexpr double cos_short[2] = {
     -0x1.6c16087d2cbb1p-10,
 };
 
-// (sin x - x)/x^3 in x^2, |x| <= 1/768, relative to sin x: largest error 1.2e-14 = 2^-46.3.
-inline constexpr double sin_tiny[1] = {
-    -0x1.555554629b7f6p-3,
-};
-
-// (cos x - 1 + x^2/2)/x^4 in x^2, |x| <= 1/768, absolute: largest error 3.4e-21 = 2^-68.0.
-inline constexpr double cos_tiny[1] = {
-    0x1.555554b3841c0p-5,
-};
-
 // (exp x - 1 - x)/x^2, |x| <= ln(2)/2, relative to exp x: largest error 3.4e-19 = 2^-61.4.
 inline constexpr double exp_remainder[11] = {
     0x1.0000000000000p-1,

@@ -14,12 +14,78 @@
 
 namespace pendula::arithmetic::inline PENDULA_ISA {
 
+/// Two packs side by side: a wide pack, whose independent halves hide each other's latencies. (Compilers keep vectors wider
+/// than their registers in memory, but not these.)
+template <class V>
+struct Twin {
+    V a;
+    V b;
+};
+
+#define PENDULA_TWIN_OPERATOR(op)                                  \
+    template <class V>                                             \
+    inline auto operator op(const Twin<V>& x, const Twin<V>& y) {  \
+        return Twin<decltype(x.a op y.a)>{x.a op y.a, x.b op y.b}; \
+    }                                                              \
+    template <class V, class S>                                    \
+    inline auto operator op(const Twin<V>& x, S y)                 \
+        requires (sizeof(S) <= 8)                                \
+    {                                                              \
+        return Twin<decltype(x.a op y)>{x.a op y, x.b op y};       \
+    }                                                              \
+    template <class V, class S>                                    \
+    inline auto operator op(S x, const Twin<V>& y)                 \
+        requires (sizeof(S) <= 8)                                \
+    {                                                              \
+        return Twin<decltype(x op y.a)>{x op y.a, x op y.b};       \
+    }
+PENDULA_TWIN_OPERATOR(+)
+PENDULA_TWIN_OPERATOR(-)
+PENDULA_TWIN_OPERATOR(*)
+PENDULA_TWIN_OPERATOR(/)
+PENDULA_TWIN_OPERATOR(<)
+PENDULA_TWIN_OPERATOR(<=)
+PENDULA_TWIN_OPERATOR(>)
+PENDULA_TWIN_OPERATOR(>=)
+PENDULA_TWIN_OPERATOR(==)
+PENDULA_TWIN_OPERATOR(!=)
+PENDULA_TWIN_OPERATOR(&)
+PENDULA_TWIN_OPERATOR(|)
+PENDULA_TWIN_OPERATOR(^)
+PENDULA_TWIN_OPERATOR(<<)
+PENDULA_TWIN_OPERATOR(>>)
+#undef PENDULA_TWIN_OPERATOR
+
+template <class V>
+inline Twin<V> operator-(const Twin<V>& x) {
+    return {-x.a, -x.b};
+}
+
+template <class V>
+inline Twin<V> operator!(const Twin<V>& x) {
+    return {!x.a, !x.b};
+}
+
+/// Doubles in a register.
+#if defined(__AVX512F__)
+inline constexpr int register_width = 8;
+#elif defined(__AVX__)
+inline constexpr int register_width = 4;
+#else
+inline constexpr int register_width = 2;
+#endif
+
 template <int width>
 struct PackOf {
-    typedef double Doubles __attribute__((vector_size(width * sizeof(double))));
+    using type = Twin<typename PackOf<width / 2>::type>;
 };
 template <int width>
-using Pack = typename PackOf<width>::Doubles;
+    requires(width <= register_width)
+struct PackOf<width> {
+    typedef double type __attribute__((vector_size(width * sizeof(double))));
+};
+template <int width>
+using Pack = typename PackOf<width>::type;
 
 template <class T>
 struct BitsOf {
@@ -28,6 +94,10 @@ struct BitsOf {
 template <>
 struct BitsOf<double> {
     using type = std::int64_t;
+};
+template <class V>
+struct BitsOf<Twin<V>> {
+    using type = Twin<typename BitsOf<V>::type>;
 };
 template <class T>
 using Bits = typename BitsOf<T>::type;
@@ -58,13 +128,18 @@ inline T splat(double x) {
 
 /// a where the mask holds, b elsewhere. Both are computed.
 template <class T>
-inline T select(Mask<T> mask, T a, T b) {
-    return mask ? a : b;
+inline T select(const Mask<T>& mask, const T& a, const T& b) {
+    if constexpr (requires { mask.a; })
+        return {select<decltype(a.a)>(mask.a, a.a, b.a), select<decltype(a.a)>(mask.b, a.b, b.b)};
+    else
+        return mask ? a : b;
 }
 
 template <class T>
-inline bool any(Mask<T> mask) {
-    if constexpr (lanes<T> == 1) {
+inline bool any(const Mask<T>& mask) {
+    if constexpr (requires { mask.a; }) {
+        return any<decltype(T::a)>(mask.a | mask.b);
+    } else if constexpr (lanes<T> == 1) {
         return mask;
     } else {
         std::int64_t all = 0;
@@ -101,9 +176,8 @@ inline T sqrt(T x) {
     if constexpr (lanes<T> == 1) {
         return __builtin_sqrt(x);
     } else {
-        T r;
-        for (int i = 0; i < lanes<T>; ++i) r[i] = __builtin_sqrt(x[i]);
-        return r;
+        for (int i = 0; i < lanes<T>; ++i) lane(x, i) = __builtin_sqrt(lane(x, i));
+        return x;
     }
 }
 

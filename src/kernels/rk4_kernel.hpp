@@ -2,205 +2,34 @@
 //
 // The sines of a step lie close to sin(theta): sin(theta + d) = sin + (sin (cos d - 1) + cos sin d) with short polynomials in
 // d costs less than a new sine. Within a block sine and cosine of theta are carried along in the same way; a block starts
-// with new ones. Angle and velocity carry the rounding of their sums from block to block (Kahan), and within a block only
-// their small changes are summed, so that rounding hardly grows with the number of steps.
+// with new ones. Angle and velocity carry the rounding of their sums from block to block, and within a block only their small
+// changes are summed, so that rounding hardly grows with the number of steps.
 #pragma once
 
 #include "arithmetic/polynomial.hpp"
-#include "arithmetic/trigonometric.hpp"
+#include "kernels/motion.hpp"
 #include "kernels/phase_kernel.hpp"
 
 namespace pendula::kernels::inline PENDULA_ISA {
 
-using namespace arithmetic;
-
 /// Steps of a block, counted from the last row: rounding moves the carried sine and cosine by some 10 ulp at most.
 inline constexpr int block_steps = 32;
-
-template <class T>
-struct Motion {
-    T theta;  ///< in [-pi, pi)
-    T omega;
-    T turns;
-    T theta_lo;  ///< what rounding has kept out of theta and omega
-    T omega_lo;
-};
 
 /// A step's constants. Velocities are counted in angle per step, v = omega h, and accelerations likewise, times h^2.
 template <class T>
 struct Rk4Step {
     T h;
-    T pull;                  ///< alpha h^2
-    T drag;                  ///< beta h
-    T torque;                ///< torque h^2
-    T drive;                 ///< drive_amplitude h^2
-    DoubleDouble<T> rate;    ///< drive_frequency/(2 pi)
-    T start;                 ///< drive_phase/(2 pi)
-    SinCos<T> half_step;     ///< of drive_frequency h/2
+    T pull;                ///< alpha h^2
+    T drag;                ///< beta h
+    T torque;              ///< torque h^2
+    T drive;               ///< drive_amplitude h^2
+    DoubleDouble<T> rate;  ///< drive_frequency/(2 pi)
+    T start;               ///< drive_phase/(2 pi)
+    SinCos<T> half_step;   ///< of drive_frequency h/2
 };
 
-/// The drive's phase, carried through a block.
 template <class T>
-struct Drive {
-    T s;
-    T c;
-
-    void rotate(const SinCos<T>& by) {
-        const T next = s * by.cos + c * by.sin;
-        c = c * by.cos - s * by.sin;
-        s = next;
-    }
-};
-
-/// sin d and cos d - 1 for small d; the coefficients' largest errors stand with them.
-template <int terms, class T>
-inline SinCos<T> small_increments(T d, const double (&sine)[terms], const double (&cosine)[terms]) {
-    const T q = d * d;
-    return {d + d * (q * polynomial(q, sine)), q * (-0.5 + q * polynomial(q, cosine))};
-}
-
-/// Angles up to 1/768 a step: the assignment's 10^-4 of a period and finer.
-struct Tiny {
-    static constexpr double limit = 1.0 / 768;
-    template <class T>
-    static SinCos<T> increments(T d) { return small_increments(d, sin_tiny, cos_tiny); }
-};
-
-/// Angles up to 1/48 a step.
-struct Short {
-    static constexpr double limit = 1.0 / 48;
-    template <class T>
-    static SinCos<T> increments(T d) { return small_increments(d, sin_short, cos_short); }
-};
-
-/// What a step adds to angle and velocity [per step].
-template <class T>
-struct Increment {
-    T theta;
-    T v;
-};
-
-/// (3.10) with sine(d) = sin(theta + d), s = sine(0), where the accelerations are -pull times these sines.
-template <class T, class Sine>
-inline Increment<T> free_increment(T pull, T v, T s, Sine sine) {
-    const T half = 0.5 * v;
-    const T sb = sine(half);
-    const T sc = sine(half - (0.25 * pull) * s);
-    const T sd = sine(v - (0.5 * pull) * sb);
-    const T sixth = pull * (-1.0 / 6.0);
-    const T middle = sb + sc;
-    return {v + sixth * (s + middle), sixth * ((s + sd) + (middle + middle))};
-}
-
-/// (3.10) with friction, torque and drive; `drive` goes from the beginning of the step to its end.
-template <class T, class Sine>
-inline Increment<T> forced_increment(const Rk4Step<T>& k, Drive<T>& drive, T v, T s, Sine sine) {
-    const T ka = (k.torque + k.drive * drive.c) - k.pull * s - k.drag * v;
-    drive.rotate(k.half_step);
-    const T force = k.torque + k.drive * drive.c;
-    drive.rotate(k.half_step);
-    const T vb = v + 0.5 * ka;
-    const T kb = force - k.pull * sine(0.5 * v) - k.drag * vb;
-    const T vc = v + 0.5 * kb;
-    const T kc = force - k.pull * sine(0.5 * vb) - k.drag * vc;
-    const T vd = v + kc;
-    const T kd = (k.torque + k.drive * drive.c) - k.pull * sine(vc) - k.drag * vd;
-    const T middle = kb + kc;
-    return {v + (ka + middle) * (1.0 / 6.0), ((ka + kd) + (middle + middle)) * (1.0 / 6.0)};
-}
-
-template <bool is_free, class T, class Sine>
-inline Increment<T> rk4_increment(const Rk4Step<T>& k, Drive<T>& drive, T v, T s, Sine sine) {
-    if constexpr (is_free)
-        return free_increment(k.pull, v, s, sine);
-    else
-        return forced_increment(k, drive, v, s, sine);
-}
-
-/// Adds to angle and velocity, and takes the angle back into [-pi, pi), 2 pi in two parts.
-template <class T>
-inline void add(Motion<T>& x, T d_theta, T d_omega) {
-    const auto omega = two_sum(x.omega, d_omega + x.omega_lo);
-    x.omega = omega.hi;
-    x.omega_lo = omega.lo;
-    const auto theta = two_sum(x.theta, d_theta + x.theta_lo);
-    const auto is_outside = (theta.hi >= pi_dd[0]) | (theta.hi < -pi_dd[0]);
-    const T turn = select(is_outside, round_even(theta.hi * inverse_two_pi_dd[0]), T{});
-    x.turns = x.turns + turn;
-    // turn * 2 pi rounds where it is large, and then the step was hopeless anyway
-    const auto back = two_prod(turn, splat<T>(-two_pi_dd[0]));
-    const auto wrapped = two_sum(theta.hi, back.hi);
-    x.theta = wrapped.hi;
-    x.theta_lo = wrapped.lo + (theta.lo + (back.lo - turn * two_pi_dd[1]));
-}
-
-/// Steps so short that sines follow each other by small increments.
-template <bool is_free, class Size, class T>
-inline void small_steps(const Rk4Step<T>& k, Drive<T> drive, Motion<T>& x, int steps) {
-    const auto r = sincos(x.theta);
-    T s = r.sin + r.cos * x.theta_lo;
-    T c = r.cos - r.sin * x.theta_lo;
-    const T start = x.omega * k.h;
-    T change{}, way{}, v = start;
-    for (int i = 0; i < steps; ++i) {
-        const auto d = rk4_increment<is_free>(k, drive, v, s, [s, c](T e) {
-            const auto small = Size::increments(e);
-            return s + (s * small.cos + c * small.sin);
-        });
-        const auto small = Size::increments(d.theta);
-        const T next = s + (s * small.cos + c * small.sin);
-        c = c + (c * small.cos - s * small.sin);
-        s = next;
-        way = way + d.theta;
-        change = change + d.v;
-        v = start + change;
-    }
-    add(x, way, change / k.h);
-}
-
-/// Steps of any length: every sine anew.
-template <bool is_free, class T>
-inline void large_steps(const Rk4Step<T>& k, Drive<T> drive, Motion<T>& x, int steps) {
-    for (int i = 0; i < steps; ++i) {
-        const T theta = x.theta;
-        const auto d = rk4_increment<is_free>(k, drive, x.omega * k.h, sin(theta), [theta](T e) { return sin(theta + e); });
-        add(x, d.theta, d.v / k.h);
-    }
-}
-
-/// Where the mask holds, y; elsewhere x.
-template <class T>
-inline Motion<T> choose(Mask<T> mask, const Motion<T>& y, const Motion<T>& x) {
-    return {select<T>(mask, y.theta, x.theta), select<T>(mask, y.omega, x.omega), select<T>(mask, y.turns, x.turns),
-            select<T>(mask, y.theta_lo, x.theta_lo), select<T>(mask, y.omega_lo, x.omega_lo)};
-}
-
-/// Up to `block_steps` steps from time t (double-double); each lane by the way that its own angles allow.
-template <bool is_free, class T>
-inline void rk4_block(const Rk4Step<T>& k, DoubleDouble<T> t, Motion<T>& x, int steps) {
-    T force = k.pull;
-    Drive<T> drive{};
-    if constexpr (!is_free) {
-        force = force + abs(k.torque) + abs(k.drive);
-        const auto p = to_phase(turned(t.hi, k.rate) + t.lo * k.rate.hi, k.start);
-        const auto r = sincos(two_pi_dd[0] * p.fraction);
-        drive = {r.sin, r.cos};
-    }
-    // No angle of the block exceeds this: a step adds at most `force` to v, and friction up to 1/8 a step a tenth to a stage.
-    const T reach = 1.25 * (abs(x.omega * k.h) + (steps + 1.0) * force);
-    const auto is_small = (reach <= Short::limit) & (k.drag <= 0.125);
-    const auto is_tiny = is_small & (reach <= Tiny::limit);
-    const auto is_short = is_small & !is_tiny;
-    Motion<T> tiny = x, small = x, large = x;
-    if (any<T>(is_tiny)) small_steps<is_free, Tiny>(k, drive, tiny, steps);
-    if (any<T>(is_short)) small_steps<is_free, Short>(k, drive, small, steps);
-    if (any<T>(!is_small)) large_steps<is_free>(k, drive, large, steps);
-    x = choose<T>(is_tiny, tiny, choose<T>(is_small, small, large));
-}
-
-/// The constants of a step h.
-template <class T>
-inline Rk4Step<T> rk4_step(T alpha, T beta, T torque, T drive_amplitude, T drive_frequency, T drive_phase, T h) {
+inline Rk4Step<T> rk4_constants(T alpha, T beta, T torque, T drive_amplitude, T drive_frequency, T drive_phase, T h) {
     const DoubleDouble<T> inverse{splat<T>(inverse_two_pi_dd[0]), splat<T>(inverse_two_pi_dd[1])};
     return {h,
             alpha * h * h,
@@ -210,6 +39,186 @@ inline Rk4Step<T> rk4_step(T alpha, T beta, T torque, T drive_amplitude, T drive
             inverse * drive_frequency,
             inverse.hi * drive_phase,
             sincos(0.5 * drive_frequency * h)};
+}
+
+/// sin d and cos d - 1 for |d| <= short_limit, within 5e-17.
+inline constexpr double short_limit = 1.0 / 48;
+template <class T>
+inline SinCos<T> short_increments(T d) {
+    const T q = d * d;
+    return {d + d * (q * polynomial(q, sin_short)), q * (-0.5 + q * polynomial(q, cos_short))};
+}
+
+/// sin(x + d) and cos(x + d) from those of x and the increments of d.
+template <class T>
+inline SinCos<T> turned_by(SinCos<T> x, SinCos<T> d) {
+    return {x.sin + (x.sin * d.cos + x.cos * d.sin), x.cos + (x.cos * d.cos - x.sin * d.sin)};
+}
+
+/// sin(x + e) and cos(x + e) for |e| <= near_limit, within 3e-17: the third power of e is left out.
+inline constexpr double near_limit = 5e-6;
+template <class T>
+inline T near_sine(SinCos<T> x, T e) {
+    return x.sin + e * (x.cos - (0.5 * e) * x.sin);
+}
+template <class T>
+inline T near_cosine(SinCos<T> x, T e) {
+    return x.cos - e * (x.sin + (0.5 * e) * x.cos);
+}
+
+/// What a block of small steps carries: sine and cosine of the angle, and the velocity per step.
+template <class T>
+struct Carried {
+    SinCos<T> angle;
+    T v;
+    T start;     ///< v at the block's beginning
+    T change{};  ///< of v since
+    T way{};     ///< of the angle since
+
+    Carried(const Motion<T>& x, T h) : v(x.omega * h), start(v) {
+        const auto r = sincos(x.theta);
+        angle = {r.sin + r.cos * x.theta_lo, r.cos - r.sin * x.theta_lo};
+    }
+
+    void step(T d_theta, T d_v) {
+        way = way + d_theta;
+        change = change + d_v;
+        v = start + change;
+    }
+};
+
+/// Without friction or force, steps with so little pull that their angles lie near theta, theta + v/2 or theta + v.
+template <class T>
+inline void near_steps(const Rk4Step<T>& k, Motion<T>& x, int steps) {
+    Carried<T> at(x, k.h);
+    const T half_pull = -0.5 * k.pull, quarter_pull = -0.25 * k.pull, sixth_pull = k.pull * (-1.0 / 6.0);
+    for (int i = 0; i < steps; ++i) {
+        const auto half = short_increments(0.5 * at.v);
+        const auto middle = turned_by(at.angle, half);
+        const auto end = turned_by(middle, half);
+        const T sc = near_sine(middle, quarter_pull * at.angle.sin);
+        const T sd = near_sine(end, half_pull * middle.sin);
+        const T inner = middle.sin + sc;
+        const T bend = sixth_pull * (at.angle.sin + inner);
+        const T d_v = sixth_pull * ((at.angle.sin + sd) + (inner + inner));
+        at.angle = {near_sine(end, bend), near_cosine(end, bend)};
+        at.step(at.v + bend, d_v);
+    }
+    add(x, at.way, at.change / k.h);
+}
+
+/// The accelerations of a step's four stages and, if asked for, of a tangent vector. Undriven, bits are those of a drive of 0.
+template <bool is_driven, bool has_tangent, class T>
+struct Stages {
+    const Rk4Step<T>& k;
+    SinCos<T> drive;  ///< of the drive's phase, which goes through the step
+    Tangent<T> tangent;
+
+    T force() const {
+        if constexpr (is_driven) return k.torque + k.drive * drive.cos;
+        return k.torque;
+    }
+
+    T acceleration(T force, SinCos<T> angle, T v) const { return force - k.pull * angle.sin - k.drag * v; }
+
+    T tangent_acceleration(SinCos<T> angle, Tangent<T> d) const { return -(k.pull * angle.cos) * d.theta - k.drag * d.omega; }
+
+    void go_half_step() {
+        if constexpr (!is_driven) return;
+        drive = {drive.sin * k.half_step.cos + drive.cos * k.half_step.sin,
+                 drive.cos * k.half_step.cos - drive.sin * k.half_step.sin};
+    }
+
+    /// (3.10): what it adds to angle and v, with angle_at(d) = (sin, cos)(theta + d). Moves drive and tangent by the step.
+    template <class AngleAt>
+    Tangent<T> step(T v, SinCos<T> a, AngleAt angle_at) {
+        const T ka = acceleration(force(), a, v);
+        go_half_step();
+        const T middle_force = force();
+        const auto b = angle_at(0.5 * v);
+        const T vb = v + 0.5 * ka;
+        const T kb = acceleration(middle_force, b, vb);
+        const auto c = angle_at(0.5 * vb);
+        const T vc = v + 0.5 * kb;
+        const T kc = acceleration(middle_force, c, vc);
+        go_half_step();
+        const auto d = angle_at(vc);
+        const T kd = acceleration(force(), d, v + kc);
+        if constexpr (has_tangent) move_tangent(a, b, c, d);
+        const T inner = kb + kc;
+        return {v + (ka + inner) * (1.0 / 6.0), ((ka + kd) + (inner + inner)) * (1.0 / 6.0)};
+    }
+
+    void move_tangent(SinCos<T> a, SinCos<T> b, SinCos<T> c, SinCos<T> d) {
+        const auto at = tangent;
+        const T ka = tangent_acceleration(a, at);
+        const Tangent<T> at_b{at.theta + 0.5 * at.omega, at.omega + 0.5 * ka};
+        const T kb = tangent_acceleration(b, at_b);
+        const Tangent<T> at_c{at.theta + 0.5 * at_b.omega, at.omega + 0.5 * kb};
+        const T kc = tangent_acceleration(c, at_c);
+        const T kd = tangent_acceleration(d, {at.theta + at_c.omega, at.omega + kc});
+        const T inner = kb + kc;
+        tangent = {at.theta + at.omega + (ka + inner) * (1.0 / 6.0), at.omega + ((ka + kd) + (inner + inner)) * (1.0 / 6.0)};
+    }
+};
+
+/// Steps so short that sines follow each other by small increments.
+template <class Stages, class T>
+inline void short_steps(Stages& stages, Motion<T>& x, int steps) {
+    Carried<T> at(x, stages.k.h);
+    for (int i = 0; i < steps; ++i) {
+        const auto angle = at.angle;
+        const auto d = stages.step(at.v, angle, [angle](T e) { return turned_by(angle, short_increments(e)); });
+        at.angle = turned_by(angle, short_increments(d.theta));
+        at.step(d.theta, d.omega);
+    }
+    add(x, at.way, at.change / stages.k.h);
+}
+
+/// Steps of any length: every sine anew.
+template <class Stages, class T>
+inline void large_steps(Stages& stages, Motion<T>& x, int steps) {
+    for (int i = 0; i < steps; ++i) {
+        const T theta = x.theta;
+        const auto d = stages.step(x.omega * stages.k.h, sincos(theta), [theta](T e) { return sincos(theta + e); });
+        add(x, d.theta, d.omega / stages.k.h);
+    }
+}
+
+/// A block under friction, torque or drive.
+template <bool is_driven, bool has_tangent, class T>
+inline void forced_block(const Rk4Step<T>& k, DoubleDouble<T> t, Motion<T>& x, Tangent<T>& tangent, const Mask<T>& is_small, int steps) {
+    SinCos<T> drive{};
+    if constexpr (is_driven) drive = sincos(two_pi_dd[0] * to_phase(turned(t.hi, k.rate) + t.lo * k.rate.hi, k.start).fraction);
+    Stages<is_driven, has_tangent, T> small_stages{k, drive, {tangent.theta, tangent.omega * k.h}};
+    auto large_stages = small_stages;
+    Motion<T> small = x, large = x;
+    if (any<T>(is_small)) short_steps(small_stages, small, steps);
+    if (any<T>(!is_small)) large_steps(large_stages, large, steps);
+    x = choose<T>(is_small, small, large);
+    const auto moved = choose<T>(is_small, small_stages.tangent, large_stages.tangent);
+    tangent = {moved.theta, moved.omega / k.h};
+}
+
+/// Up to `block_steps` steps from time t; each lane by the way that its own constants and angles allow. The tangent vector
+/// goes along if there is one.
+template <bool has_tangent, class T>
+inline void rk4_block(const Rk4Step<T>& k, DoubleDouble<T> t, Motion<T>& x, Tangent<T>& tangent, int steps) {
+    // No angle of the block exceeds this: a step adds at most the forces to v, and friction up to 1/8 a step a tenth to a stage.
+    const T reach = 1.25 * (abs(x.omega * k.h) + (steps + 1.0) * (k.pull + abs(k.torque) + abs(k.drive)));
+    const auto is_small = (reach <= short_limit) & (k.drag <= 0.125);
+    const auto is_free = (k.drag == 0.0) & (k.torque == 0.0) & (k.drive == 0.0);
+    const auto is_near = is_small & is_free & (k.pull <= (has_tangent ? -1.0 : 2 * near_limit));  // near steps carry no tangent
+
+    Motion<T> near = x, forced = x;
+    if (any<T>(is_near)) near_steps(k, near, steps);
+    if (any<T>(!is_near)) {
+        if (any<T>(k.drive != 0.0))
+            forced_block<true, has_tangent>(k, t, forced, tangent, is_small, steps);
+        else
+            forced_block<false, has_tangent>(k, t, forced, tangent, is_small, steps);
+    }
+    x = choose<T>(is_near, near, forced);
 }
 
 }  // namespace pendula::kernels::inline PENDULA_ISA

@@ -1,0 +1,169 @@
+// The manual page, in both languages.
+#include "cli/commands.hpp"
+
+namespace pendula::cli {
+
+namespace {
+
+constexpr Text page{
+    R"(pendula - the pendulum, exactly and step by step: theta'' = -alpha sin(theta)
+
+USAGE
+  pendula [OPTIONS] < problems        solve problems from standard input
+  pendula solve --theta0 ANGLE ...    solve one problem given by options
+  pendula analyze [OPTIONS]           regime, limit angle, characteristic time
+  pendula NAME ...                    run pendula-NAME, beside pendula or on PATH
+
+PROBLEMS ON STANDARD INPUT
+  Eight values in any white space; # starts a comment to the end of the line:
+
+    factorΔ factorcout factortSimul θ0 unit ω0 unit α
+    0.0001  0.02       1            90 s    0  r    1
+
+  Step, time between rows and length of the run are the factors times τ, the
+  pendulum's characteristic time: the period, or on the separatrix the time to
+  0.999 of the limit angle. Units: r radians (rad/s), s sexagesimal degrees
+  (degrees/s). α = g/l in 1/s². Numbers are decimal, with a point.
+
+  Each problem gives a table: time, angle in [-π, π), angular velocity and, where
+  the pendulum oscillates, the sinusoid of the same amplitude and period. Two
+  blank lines separate tables. The first bad problem ends the program.
+
+OPTIONS OF solve
+  --theta0 ANGLE        initial angle: 1.5 (radians) or 90deg; has to be given
+  --omega0 VELOCITY     initial angular velocity: 0.2 or 10deg/s    [0]
+  --alpha A             stiffness g/l, 1/s²                         [1]
+  --gravity G --length L    the same as --alpha G/L
+  --dt-factor F         longest step, as a factor of τ              [0.0001]
+  --dt S                the same in seconds
+  --every-factor F      time between rows, as a factor of τ         [0.02]
+  --every S             the same in seconds
+  --until-factor F      length of the run, as a factor of τ         [1]
+  --until S             the same in seconds
+
+OPTIONS OF solve AND OF PROBLEMS ON STANDARD INPUT
+  --method M            rk4, euler, verlet, or exact: the closed form  [rk4]
+  --columns LIST        of these, with commas between [t,theta,omega and sine]:
+                          t       time, s
+                          theta   angle in [-π, π), rad
+                          omega   angular velocity, rad/s
+                          sine    the sinusoid; nan where it does not oscillate
+                          exact   angle of the closed form
+                          error   theta less exact, in [-π, π)
+                          energy  ω²/2 + α(1 - cos θ), 1/s²
+                          turns   whole turns: θ + 2π turns counts them all
+
+OPTIONS OF EVERY COMMAND
+  --format F            text, csv, or json: an object a line, each problem's own
+                        before its rows                              [text]
+  --precision N         significant digits from 1 to 17, or full: the shortest
+                        that read back to the same double            [6]
+  --output FILE         write to FILE; untouched if the first problem is bad
+  --lang L              messages in en or es  [from LC_ALL, LC_MESSAGES or LANG]
+  -h, --help            this page
+  --version             the version
+
+pendula analyze
+  Takes --theta0, --omega0 and --alpha as solve does; or lines "θ0 unit ω0 unit α"
+  on standard input. Prints "k thetaM tau" for each: k is -1 if it oscillates,
+  0 on the separatrix, 1 if it rotates. A bad line becomes a line "ERROR: ..."
+  --method agm|series   arithmetic-geometric mean, or the power series of the
+                        period, which may need many terms            [agm]
+  --epsilon E           relative error of the series                 [1e-7]
+
+EXIT STATUS
+  0 done   1 bad data, or a run that is too long   2 bad usage
+  3 the output could not be written   130 interrupted; all rows are whole
+
+EXAMPLES
+  echo "0.0001 0.02 1 90 s 0 r 1" | pendula
+  pendula solve --theta0 90deg --gravity 9.81 --length 0.5 --every 0.01 --until 10
+  pendula solve --theta0 3 --columns t,theta,error --precision full --format csv
+  pendula analyze --theta0 0 --omega0 2
+)",
+    R"(pendula - el péndulo, exacto y paso a paso: theta'' = -alpha sen(theta)
+
+USO
+  pendula [OPCIONES] < problemas       resuelve problemas de la entrada estándar
+  pendula solve --theta0 ÁNGULO ...    resuelve un problema dado con opciones
+  pendula analyze [OPCIONES]           régimen, ángulo límite, tiempo característico
+  pendula NOMBRE ...                   ejecuta pendula-NOMBRE, junto a pendula o en PATH
+
+PROBLEMAS EN LA ENTRADA ESTÁNDAR
+  Ocho valores separados por espacios o saltos de línea; # abre un comentario
+  hasta el final de la línea:
+
+    factorΔ factorcout factortSimul θ0 unidad ω0 unidad α
+    0.0001  0.02       1            90 s      0  r      1
+
+  El paso, el tiempo entre filas y la duración de la simulación son los factores
+  por τ, el tiempo característico del péndulo: el periodo o, en la separatriz, lo
+  que tarda en llegar a 0.999 del ángulo límite. Unidades: r radianes (rad/s),
+  s grados sexagesimales (grados/s). α = g/l en 1/s². Los números son decimales,
+  con punto.
+
+  Cada problema da una tabla: tiempo, ángulo en [-π, π), velocidad angular y, si
+  el péndulo oscila, la sinusoide de igual amplitud y periodo. Dos líneas en
+  blanco separan las tablas. El primer problema incorrecto termina el programa.
+
+OPCIONES DE solve
+  --theta0 ÁNGULO       ángulo inicial: 1.5 (radianes) o 90deg; es obligatorio
+  --omega0 VELOCIDAD    velocidad angular inicial: 0.2 o 10deg/s    [0]
+  --alpha A             rigidez g/l, 1/s²                           [1]
+  --gravity G --length L    lo mismo que --alpha G/L
+  --dt-factor F         paso máximo, como factor de τ               [0.0001]
+  --dt S                lo mismo en segundos
+  --every-factor F      tiempo entre filas, como factor de τ        [0.02]
+  --every S             lo mismo en segundos
+  --until-factor F      duración, como factor de τ                  [1]
+  --until S             lo mismo en segundos
+
+OPCIONES DE solve Y DE LOS PROBLEMAS EN LA ENTRADA ESTÁNDAR
+  --method M            rk4, euler, verlet o exact: la solución exacta  [rk4]
+  --columns LISTA       de estas, separadas por comas [t,theta,omega y sine]:
+                          t       tiempo, s
+                          theta   ángulo en [-π, π), rad
+                          omega   velocidad angular, rad/s
+                          sine    la sinusoide; nan si no oscila
+                          exact   ángulo de la solución exacta
+                          error   theta menos exact, en [-π, π)
+                          energy  ω²/2 + α(1 - cos θ), 1/s²
+                          turns   vueltas enteras: θ + 2π turns las cuenta todas
+
+OPCIONES DE TODAS LAS ÓRDENES
+  --format F            text, csv o json: un objeto por línea, el de cada
+                        problema antes que sus filas                 [text]
+  --precision N         cifras significativas, de 1 a 17, o full: las mínimas
+                        que se releen como el mismo double           [6]
+  --output FICHERO      escribe en FICHERO; no lo toca si el primer problema es
+                        incorrecto
+  --lang L              mensajes en en o es  [según LC_ALL, LC_MESSAGES o LANG]
+  -h, --help            esta página
+  --version             la versión
+
+pendula analyze
+  Acepta --theta0, --omega0 y --alpha como solve; o líneas "θ0 unidad ω0 unidad α"
+  en la entrada estándar. Escribe "k thetaM tau" para cada una: k es -1 si oscila,
+  0 en la separatriz, 1 si rota. Una línea incorrecta se convierte en una línea
+  "ERROR: ..."
+  --method agm|series   media aritmético-geométrica, o la serie de potencias del
+                        periodo, que puede necesitar muchos términos  [agm]
+  --epsilon E           error relativo de la serie                   [1e-7]
+
+ESTADO DE SALIDA
+  0 hecho   1 datos incorrectos, o una simulación demasiado larga
+  2 uso incorrecto   3 no se ha podido escribir la salida
+  130 interrumpido; todas las filas están enteras
+
+EJEMPLOS
+  echo "0.0001 0.02 1 90 s 0 r 1" | pendula
+  pendula solve --theta0 90deg --gravity 9.81 --length 0.5 --every 0.01 --until 10
+  pendula solve --theta0 3 --columns t,theta,error --precision full --format csv
+  pendula analyze --theta0 0 --omega0 2
+)"};
+
+}  // namespace
+
+std::string manual() { return say(page); }
+
+}  // namespace pendula::cli

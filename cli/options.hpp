@@ -1,0 +1,81 @@
+// What stands on the command line. CLI11 takes it apart; every value stays text until one of these functions reads it, so
+// that every message is the program's own, in both languages.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "cli/messages.hpp"
+#include "cli/numbers.hpp"
+#include "cli/problem.hpp"
+#include "cli/table.hpp"
+
+namespace pendula::cli {
+
+/// A bit each, so that an option says who takes it.
+enum Command : unsigned { reads = 1, solves = 2, analyzes = 4 };
+
+struct CommandName {
+    std::string_view name;
+    Command command;
+};
+inline constexpr CommandName commands[] = {{"solve", solves}, {"analyze", analyzes}};
+
+struct OptionName {
+    std::string_view name;
+    unsigned commands;  ///< that take it
+};
+inline constexpr OptionName option_names[] = {
+    {"--theta0", solves | analyzes},
+    {"--omega0", solves | analyzes},
+    {"--alpha", solves | analyzes},
+    {"--gravity", solves | analyzes},
+    {"--length", solves | analyzes},
+    {"--dt-factor", solves},
+    {"--dt", solves},
+    {"--every-factor", solves},
+    {"--every", solves},
+    {"--until-factor", solves},
+    {"--until", solves},
+    {"--method", reads | solves | analyzes},
+    {"--epsilon", analyzes},
+    {"--columns", reads | solves},
+    {"--format", reads | solves | analyzes},
+    {"--precision", reads | solves | analyzes},
+    {"--output", reads | solves | analyzes},
+    {"--lang", reads | solves | analyzes},
+};
+
+/// The texts of the options given, beside `option_names`.
+struct Options {
+    std::array<std::string, std::size(option_names)> texts;
+    std::array<bool, std::size(option_names)> given{};
+    bool wants_help = false, wants_version = false;
+};
+
+/// Takes the arguments behind the command apart. This and all below throw Failure with Status::bad_usage.
+Options parse(Command command, const std::vector<std::string>& arguments);
+
+bool is_given(const Options& options, std::string_view name);
+
+/// Whether any option says which pendulum, or how it starts.
+bool states_pendulum(const Options& options);
+/// The pendulum of --alpha, or of --gravity and --length.
+Pendulum pendulum(const Options& options);
+/// The state of --theta0, which has to be there, and --omega0.
+State initial_state(const Options& options);
+/// The step, the time between rows and the length of the run, where given.
+void read_durations(const Options& options, Statement& statement);
+/// --method of a solution.
+Method method(const Options& options);
+/// --epsilon where --method is `series`, else 0.
+double series_epsilon(const Options& options);
+/// --columns, --format and --precision.
+Layout layout(const Options& options);
+/// --output.
+std::string output_path(const Options& options);
+/// --lang, wherever it stands among the arguments, else the environment's.
+Language language(const std::vector<std::string>& arguments);
+
+}  // namespace pendula::cli

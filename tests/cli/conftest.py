@@ -1,0 +1,42 @@
+"""Drives the real program, at the path in PENDULA_PROGRAM, in an environment of which every test states what matters."""
+
+import os
+import subprocess
+
+import pytest
+
+PROGRAM = os.path.abspath(os.environ["PENDULA_PROGRAM"])
+CLEAN = {name: value for name, value in os.environ.items() if name not in ("LC_ALL", "LC_MESSAGES", "LC_NUMERIC", "LANG")}
+
+GOOD = "0.0001 0.02 1 90 s 0 r 1\n"
+HEADER = "t angulo velocidad funcionSinusoidal\n"
+
+
+@pytest.fixture
+def pendula():
+    """Runs the program on an input; streams are text, line ends untouched."""
+
+    def run(*arguments, text="", env=None, **options):
+        return subprocess.run(
+            [PROGRAM, *arguments],
+            input=text.encode() if isinstance(text, str) else text,
+            stdout=options.pop("stdout", subprocess.PIPE),
+            stderr=subprocess.PIPE,
+            env=CLEAN | (env or {}),
+            timeout=60,
+            **options,
+        )
+
+    return run
+
+
+@pytest.fixture
+def table(pendula):
+    """The rows of a run that has to succeed, as lists of words, without the header."""
+
+    def rows(*arguments, text=""):
+        done = pendula(*arguments, text=text)
+        assert (done.returncode, done.stderr) == (0, b"")
+        return [line.split() for line in done.stdout.decode().splitlines()[1:]]
+
+    return rows

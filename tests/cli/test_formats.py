@@ -1,0 +1,134 @@
+"""Columns, formats and precision: what is printed is what was computed."""
+
+import csv
+import io
+import json
+import math
+import struct
+
+import pytest
+
+COLUMNS = "t,theta,omega,sine,exact,error,energy,turns"
+SWING = "0.001 0.05 2 90 s 0.1 r 2\n"
+ROTATION = "0.001 0.05 2 0 r 3 r 2\n"
+
+
+def bits(value):
+    return struct.pack("<d", value)
+
+
+def records(done):
+    return [json.loads(line) for line in done.stdout.splitlines()]
+
+
+def test_the_default_columns_have_the_assignments_header_in_text(pendula):
+    assert pendula(text=SWING).stdout.startswith(b"t angulo velocidad funcionSinusoidal\n")
+    assert pendula(text=ROTATION).stdout.startswith(b"t angulo velocidad\n")
+
+
+def test_csv_names_its_columns_as_the_option_does(pendula):
+    assert pendula("--format", "csv", text=SWING).stdout.startswith(b"t,theta,omega,sine\n")
+    assert pendula("--format", "csv", "--columns", COLUMNS, text=SWING).stdout.decode().startswith(COLUMNS + "\n")
+
+
+def test_columns_come_in_the_order_asked(table):
+    everything = table("--columns", COLUMNS, text=SWING)
+    reordered = table("--columns", "turns,omega,t", text=SWING)
+    assert reordered == [[row[7], row[2], row[0]] for row in everything]
+
+
+def test_the_three_formats_hold_the_same_numbers(pendula):
+    arguments = ["--columns", COLUMNS, "--precision", "full"]
+    text = [[float(word) for word in line.split()] for line in pendula(*arguments, text=SWING).stdout.splitlines()[1:]]
+    comma = list(csv.reader(io.StringIO(pendula(*arguments, "--format", "csv", text=SWING).stdout.decode())))[1:]
+    objects = records(pendula(*arguments, "--format", "json", text=SWING))[1:]
+    assert len(text) == 41
+    assert text == [[float(word) for word in row] for row in comma]
+    assert text == [[row[name] for name in COLUMNS.split(",")] for row in objects]
+
+
+def test_full_is_the_shortest_that_reads_back_to_the_same_double(table):
+    full = table("--precision", "full", "--columns", COLUMNS, text=SWING)
+    seventeen = table("--precision", "17", "--columns", COLUMNS, text=SWING)
+    for row, wide in zip(full, seventeen, strict=True):
+        for word, digits in zip(row, wide, strict=True):
+            assert bits(float(word)) == bits(float(digits))
+            assert float(word) == float(repr(float(word))) and len(word) <= len(digits)
+
+
+@pytest.mark.parametrize("precision", range(1, 18))
+def test_precision_rounds_to_that_many_digits_as_streams_do(table, precision):
+    full = table("--precision", "full", text=SWING)
+    rounded = table("--precision", str(precision), text=SWING)
+    assert rounded == [[f"{float(word):.{precision}g}" for word in row] for row in full]
+
+
+def test_json_begins_with_the_problem_and_its_analysis(pendula):
+    problem, *rows = records(pendula("--format", "json", text=SWING))
+    assert problem["problem"] == 1 and problem["method"] == "rk4"
+    assert (problem["alpha"], problem["theta0"], problem["omega0"]) == (2, math.pi / 2, 0.1)
+    assert (problem["k"], problem["regime"]) == (-1, "oscillation")
+    assert problem["rows"] == len(rows) == 41
+    assert problem["every"] == 0.05 * problem["tau"] and problem["until"] == 2 * problem["tau"]
+    assert problem["dt"] == 0.001 * problem["tau"]
+    assert list(rows[0]) == ["t", "theta", "omega", "sine"]
+
+
+def test_json_numbers_its_problems(pendula):
+    done = records(pendula("--format", "json", text=SWING + ROTATION + SWING))
+    assert [record["problem"] for record in done if "problem" in record] == [1, 2, 3]
+
+
+def test_the_sinusoid_is_missing_where_nothing_oscillates(pendula, table):
+    assert {row[1] for row in table("--columns", "t,sine", text=ROTATION)} == {"nan"}
+    rows = records(pendula("--columns", "t,sine", "--format", "json", text=ROTATION))[1:]
+    assert {row["sine"] for row in rows} == {None}
+
+
+def test_error_is_what_theta_lacks_to_exact(table):
+    for problem in (SWING, ROTATION):
+        for method in ("rk4", "euler", "verlet", "exact"):
+            for theta, exact, error in table("--method", method, "--columns", "theta,exact,error", "--precision", "full", text=problem):
+                assert -math.pi <= float(error) < math.pi
+                assert math.remainder(float(theta) - float(exact) - float(error), 2 * math.pi) == pytest.approx(0, abs=1e-15)
+
+
+def test_exact_has_no_error_and_rk4_a_small_one(table):
+    assert {row[0] for row in table("--columns", "error", "--method", "exact", text=SWING)} == {"0"}
+    assert 0 < max(abs(float(row[0])) for row in table("--columns", "error", text=SWING)) < 1e-9
+
+
+def test_energy_is_kept(table):
+    energies = [float(row[0]) for row in table("--columns", "energy", "--precision", "full", text=SWING)]
+    assert max(energies) - min(energies) < 1e-9 * energies[0]
+
+
+def test_turns_count_a_rotation(table):
+    rows = table("solve", "--theta0", "0", "--omega0", "-3", "--until-factor", "5", "--every-factor", "1", "--columns", "turns")
+    assert [abs(int(turns) + j) for j, (turns,) in enumerate(rows)] <= [1] * 6
+
+
+def test_seconds_and_factors_mean_the_same_times(table):
+    rows = table("solve", "--theta0", "1", "--every", "0.25", "--until", "1", "--dt", "0.001", "--columns", "t")
+    assert [row[0] for row in rows] == ["0", "0.25", "0.5", "0.75", "1"]
+
+
+def test_the_last_row_is_there_though_the_times_are_rounded(table):
+    assert len(table(text="0.01 0.1 1 1 r 0 r 1")) == 11
+    assert len(table(text="0.01 0.3 1 1 r 0 r 1")) == 4
+
+
+def test_analyze_has_the_three_formats(pendula):
+    line = "90 s 0 r 1\nx\n"
+    assert pendula("analyze", text=line).stdout.startswith(b"-1 1.5708 7.4163\nERROR: line 2: ")
+    assert pendula("analyze", "--format", "csv", text=line).stdout.startswith(b"k,thetaM,tau\n-1,1.5708,7.4163\nERROR: line 2: ")
+    good, bad = records(pendula("analyze", "--format", "json", "--precision", "full", text=line))
+    assert list(good) == ["k", "regime", "thetaM", "tau"]
+    assert good["thetaM"] == math.pi / 2 and good["regime"] == "oscillation"
+    assert bad["error"].startswith('line 2: θ0 "x": ')
+
+
+@pytest.mark.parametrize("line, regime", [("1 r 0 r 1", "oscillation"), ("0 r 2 r 1", "separatrix"), ("0 r 3 r 1", "rotation")])
+def test_analyze_names_the_regime_in_json(pendula, line, regime):
+    (record,) = records(pendula("analyze", "--format", "json", text=line))
+    assert record["regime"] == regime

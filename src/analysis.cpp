@@ -105,6 +105,11 @@ Analysis analyze(double alpha, State initial) noexcept {
     return {b.regime, 2 * atan2(modulus_of_oscillation(b).k.hi, complement), tau};
 }
 
+bool rests_on_top(const Pendulum& p, State initial) noexcept {
+    if (p.torque != 0 || p.drive_amplitude != 0 || initial.omega != 0) return false;
+    return analyze(p.alpha, initial).regime == Regime::separatrix;
+}
+
 double series_terms(double alpha, State initial, double epsilon) noexcept {
     if (!is_legal(alpha, initial) || !(epsilon > 0 && epsilon < 1)) return __builtin_nan("");
     const auto b = balance_energy(alpha, initial);

@@ -97,10 +97,8 @@ Trajectory begin(const Problem& problem) noexcept {
     Trajectory run;
     run.problem = problem;
     const auto& p = problem.pendulum;
-    if (p.torque == 0 && p.drive_amplitude == 0) {
-        run.solution = exact(p.alpha, problem.initial);
-        run.is_resting = run.solution.analysis.regime == Regime::separatrix && problem.initial.omega == 0;
-    }
+    run.is_resting = rests_on_top(p, problem.initial);
+    if (run.is_resting || is_conservative(p)) run.solution = exact(p.alpha, problem.initial);
     const auto angle = split_turns(problem.initial.theta);
     run.theta = angle.theta;
     run.turns = angle.turns;

@@ -25,6 +25,9 @@ struct Analysis {
 /// Arguments outside give NaN in both.
 Analysis analyze(double alpha, State initial) noexcept;
 
+/// Whether a pendulum without torque and drive starts at rest on top, as far as its angle can tell: friction or not, it stays.
+bool rests_on_top(const Pendulum& pendulum, State initial) noexcept;
+
 /// How many terms of the assignment's series (3.6) its cut (3.9) asks for, for a relative error below epsilon in (0, 1) of
 /// the period. 0 on the separatrix, where (3.5) needs no series. NaN for arguments outside.
 double series_terms(double alpha, State initial, double epsilon) noexcept;

@@ -9,9 +9,7 @@ namespace pendula::kernels {
 inline constexpr int chunk_size = 64;
 
 struct alignas(64) Chunk {
-    int count = 0;         ///< members; the places behind them hold pendulums at rest
-    bool is_free = false;  ///< no member has friction, torque or drive
-    bool has_tangent = false;
+    int count = 0;  ///< members; the places behind them hold pendulums at rest
 
     double theta[chunk_size];  ///< in [-pi, pi)
     double omega[chunk_size];

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 
+#include "kernels/chunk.hpp"
 #include "pendula/exact.hpp"
 
 namespace pendula::kernels {
@@ -11,6 +12,11 @@ namespace pendula::kernels {
 struct Kernels {
     const char* name;
     void (*exact)(const Exact& solution, std::size_t n, const double* t, double* theta, double* omega, double* turns);
+
+    /// Steps of every member, of its own length h, from the time row_time + first h. `first` is a whole number of blocks. The
+    /// second moves tangent vectors as well.
+    void (*rk4)(Chunk& chunk, const double* row_time, const double* h, double first, int steps);
+    void (*rk4_tangent)(Chunk& chunk, const double* row_time, const double* h, double first, int steps);
 };
 
 /// The widest set that this processor has, or the one that the environment variable PENDULA_ISA names (baseline, avx2,

@@ -1,8 +1,8 @@
 // Compiled once for each instruction set, with PENDULA_ISA its name. No std:: templates here: the linker may keep the copy of
 // any unit for all.
-#include "kernels/exact_kernel.hpp"
-
 #include "kernels/dispatch.hpp"
+#include "kernels/exact_kernel.hpp"
+#include "kernels/rk4_kernel.hpp"
 
 #define PENDULA_NAME_OF(isa) #isa
 #define PENDULA_NAME(isa) PENDULA_NAME_OF(isa)
@@ -10,11 +10,19 @@
 namespace pendula::kernels::inline PENDULA_ISA {
 namespace {
 
-constexpr int width = 8;
+constexpr int width = 8;  // chunk_size is a multiple
+using T = Pack<width>;
 
-/// Calls body(first, count, pack-sized copies) over blocks of `width`; a tail runs the same operations on a padded pack.
+T load(const double* x) {
+    T pack;
+    __builtin_memcpy(&pack, x, sizeof pack);
+    return pack;
+}
+
+void store(double* x, const T& pack) { __builtin_memcpy(x, &pack, sizeof pack); }
+
+/// A tail runs the same operations on a padded pack.
 void exact(const Exact& e, std::size_t n, const double* t, double* theta, double* omega, double* turns) {
-    using T = Pack<width>;
     for (std::size_t i = 0; i < n; i += width) {
         const std::size_t count = n - i < width ? n - i : width;
         T time{};
@@ -26,9 +34,31 @@ void exact(const Exact& e, std::size_t n, const double* t, double* theta, double
     }
 }
 
+template <bool has_tangent>
+void rk4(Chunk& c, const double* row_time, const double* h, double first, int steps) {
+    for (int i = 0; i < c.count; i += width) {
+        const auto k = rk4_constants(load(c.alpha + i), load(c.beta + i), load(c.torque + i), load(c.drive_amplitude + i),
+                                     load(c.drive_frequency + i), load(c.drive_phase + i), load(h + i));
+        Motion<T> x{load(c.theta + i), load(c.omega + i), load(c.turns + i), load(c.theta_lo + i), load(c.omega_lo + i)};
+        Tangent<T> tangent{load(c.tangent_theta + i), load(c.tangent_omega + i)};
+        for (int done = 0; done < steps; done += block_steps) {
+            const int left = steps - done;
+            rk4_block<has_tangent>(k, two_sum(load(row_time + i), (first + done) * k.h), x, tangent,
+                                   left < block_steps ? left : block_steps);
+        }
+        store(c.theta + i, x.theta);
+        store(c.omega + i, x.omega);
+        store(c.turns + i, x.turns);
+        store(c.theta_lo + i, x.theta_lo);
+        store(c.omega_lo + i, x.omega_lo);
+        store(c.tangent_theta + i, tangent.theta);
+        store(c.tangent_omega + i, tangent.omega);
+    }
+}
+
 }  // namespace
 
 extern const Kernels kernels;
-const Kernels kernels{PENDULA_NAME(PENDULA_ISA), exact};
+const Kernels kernels{PENDULA_NAME(PENDULA_ISA), exact, rk4<false>, rk4<true>};
 
 }  // namespace pendula::kernels::inline PENDULA_ISA

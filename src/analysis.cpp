@@ -116,8 +116,7 @@ double series_terms(double alpha, State initial, double epsilon) noexcept {
     if (b.regime == Regime::separatrix) return 0;
     const double complement = series_complement(b);
     const double terms = (log(epsilon) + log(complement)) / log1p(-complement);
-    const double whole = round_even(terms);
-    return terms > 0 ? whole < terms ? whole + 1 : whole : 0;
+    return terms > 0 ? -floor(-terms) : 0;
 }
 
 Analysis analyze_by_series(double alpha, State initial, double epsilon) noexcept {

@@ -190,6 +190,13 @@ inline T round_even(T x) {
     return select(abs(x) < 0x1p51, (x + rounder) - rounder, x);
 }
 
+/// The largest whole number that is not above x.
+template <class T>
+inline T floor(T x) {
+    const T whole = round_even(x);
+    return whole - select(whole > x, splat<T>(1.0), T{});
+}
+
 /// x * 2^n for a whole number n, as two products: exact unless the result underflows. |n| <= 2000.
 template <class T>
 inline T scale(T x, T n) {

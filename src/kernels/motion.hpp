@@ -23,20 +23,32 @@ struct Tangent {
     T omega;
 };
 
-/// Adds to angle and velocity, and takes the angle back into [-pi, pi), 2 pi in two parts.
+/// Takes an angle of any size into [-pi, pi): off a whole number of turns, 2 pi in two parts. Rounding may ask for a second
+/// look, at an angle that is a hair outside.
+template <class T>
+inline void fold(Motion<T>& x) {
+    for (int look = 0; look < 2; ++look) {
+        const auto is_outside = (x.theta >= pi_dd[0]) | (x.theta < -pi_dd[0]);
+        if (!any<T>(is_outside)) return;
+        const T turn = select(is_outside, floor((x.theta + pi_dd[0]) * inverse_two_pi_dd[0]), T{});
+        const auto back = two_prod(turn, splat<T>(-two_pi_dd[0]));
+        const auto folded = two_sum(x.theta, back.hi);
+        x.theta = folded.hi;
+        x.theta_lo = folded.lo + (x.theta_lo + (back.lo - turn * two_pi_dd[1]));
+        x.turns = x.turns + turn;
+    }
+}
+
+/// Adds to angle and velocity.
 template <class T>
 inline void add(Motion<T>& x, T d_theta, T d_omega) {
     const auto omega = two_sum(x.omega, d_omega + x.omega_lo);
     x.omega = omega.hi;
     x.omega_lo = omega.lo;
     const auto theta = two_sum(x.theta, d_theta + x.theta_lo);
-    const auto is_outside = (theta.hi >= pi_dd[0]) | (theta.hi < -pi_dd[0]);
-    const T turn = select(is_outside, round_even(theta.hi * inverse_two_pi_dd[0]), T{});
-    x.turns = x.turns + turn;
-    const auto back = two_prod(turn, splat<T>(-two_pi_dd[0]));
-    const auto wrapped = two_sum(theta.hi, back.hi);
-    x.theta = wrapped.hi;
-    x.theta_lo = wrapped.lo + (theta.lo + (back.lo - turn * two_pi_dd[1]));
+    x.theta = theta.hi;
+    x.theta_lo = theta.lo;
+    fold(x);
 }
 
 /// Where the mask holds, x; elsewhere y.

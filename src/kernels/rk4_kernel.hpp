@@ -206,7 +206,7 @@ template <bool has_tangent, class T>
 inline void rk4_block(const Rk4Step<T>& k, DoubleDouble<T> t, Motion<T>& x, Tangent<T>& tangent, int steps) {
     // No angle of the block exceeds this: a step adds at most the forces to v, and friction up to 1/8 a step a tenth to a stage.
     const T reach = 1.25 * (abs(x.omega * k.h) + (steps + 1.0) * (k.pull + abs(k.torque) + abs(k.drive)));
-    const auto is_small = (reach <= short_limit) & (k.drag <= 0.125);
+    const auto is_small = (reach <= short_limit) & (abs(k.drag) <= 0.125);
     const auto is_free = (k.drag == 0.0) & (k.torque == 0.0) & (k.drive == 0.0);
     const auto is_near = is_small & is_free & (k.pull <= (has_tangent ? -1.0 : 2 * near_limit));  // near steps carry no tangent
 

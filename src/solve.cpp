@@ -74,6 +74,21 @@ int take_steps(Trajectory& run) noexcept {
     return steps;
 }
 
+/// Rows by dense output; a row never makes a step end.
+std::size_t taylor_rows(Trajectory& run, std::size_t n, Sample* rows, double step_budget) noexcept {
+    std::size_t count = 0;
+    for (; count < n && !run.is_finished(); ++count) {
+        const double t = run.rows_done * run.problem.schedule.every;
+        for (; !reaches(run.taylor, t); --step_budget) {
+            if (step_budget <= 0) return count;
+            step(run.taylor);
+        }
+        rows[count] = at(run.taylor, t);
+        run.rows_done += 1;
+    }
+    return count;
+}
+
 }  // namespace
 
 bool Schedule::is_feasible() const noexcept { return rows <= 0x1p53 && steps() <= 0x1p53; }
@@ -94,6 +109,7 @@ Trajectory begin(const Problem& problem) noexcept {
     const auto& p = problem.pendulum;
     run.is_resting = rests_on_top(p, problem.initial);
     if (run.is_resting || is_conservative(p)) run.solution = exact(p.alpha, problem.initial);
+    if (problem.method == Method::taylor) run.taylor = taylor(p, problem.initial, problem.tolerance);
     const auto angle = split_turns(problem.initial.theta);
     run.theta = angle.theta;
     run.turns = angle.turns;
@@ -102,6 +118,7 @@ Trajectory begin(const Problem& problem) noexcept {
 }
 
 std::size_t advance(Trajectory& run, std::size_t n, Sample* rows, double step_budget) noexcept {
+    if (run.problem.method == Method::taylor && !run.is_resting) return taylor_rows(run, n, rows, step_budget);
     std::size_t count = 0;
     while (count < n && !run.is_finished()) {
         if (run.is_resting || run.problem.method == Method::exact) {

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "pendula/exact.hpp"
+#include "pendula/taylor.hpp"
 
 namespace pendula {
 
@@ -46,6 +47,7 @@ struct Problem {
 struct Trajectory {
     Problem problem;
     Exact solution;               ///< of a conservative pendulum
+    Taylor taylor;                ///< where that is the method
     double theta = 0, omega = 0;  ///< at the last step, theta in [-pi, pi)
     double turns = 0;
     double theta_lo = 0, omega_lo = 0;  ///< what rounding has kept out of them

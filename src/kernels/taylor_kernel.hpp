@@ -1,0 +1,200 @@
+// Taylor's method for one pendulum or a pack of them: a step is a polynomial in time, and its end the start of the next.
+//
+// Order and length of a step follow from the tolerance as in Jorba & Zou, Experimental Mathematics 14 (2005), 3.2: the radius
+// of convergence from the last two coefficients, and the last term kept below the tolerance. Their order, -ln(tolerance)/2 + 1,
+// would be the best if a step were nothing but products of series; sines, time and length cost as much at any order, so
+// that two more pay.
+#pragma once
+
+#include "arithmetic/exponential.hpp"
+#include "kernels/motion.hpp"
+#include "kernels/phase_kernel.hpp"
+#include "kernels/taylor_series.hpp"
+
+namespace pendula::kernels::inline PENDULA_ISA {
+
+/// Order and relative length of steps.
+struct TaylorReach {
+    int order;
+    double log2_fraction;  ///< of the radius of convergence that a step goes
+};
+
+/// For a tolerance in (0, 1); below 2.3e-16 the precision of a double is what limits, and the order is the highest.
+inline TaylorReach taylor_reach(double tolerance) {
+    const double terms = -0.5 * log(tolerance) + 3.0;
+    int order = 5;
+    while (order < taylor_order_limit && order < terms) order += 2;
+    const double bounded = tolerance < 0x1p-52 ? 0x1p-52 : tolerance;
+    // 1/16: what the polynomial leaves out is then about 1/100 of the tolerance.
+    return {order, log(bounded * 0.0625) * inverse_ln2[0] / order};
+}
+
+/// Added to rates, so that a pendulum which nothing moves takes finite steps.
+inline constexpr double slowest_rate = 0x1p-900;
+
+/// A pendulum's parameters and what follows from them.
+template <class T>
+struct TaylorPendulum {
+    T alpha, beta, torque, drive_amplitude, drive_frequency;
+    DoubleDouble<T> turn_rate;   ///< of the drive: drive_frequency/(2 pi)
+    DoubleDouble<T> turn_start;  ///< drive_phase/(2 pi)
+    T rate;                      ///< of change, but for that of the angle [s^-1]
+};
+
+template <class T>
+inline TaylorPendulum<T> taylor_pendulum(T alpha, T beta, T torque, T drive_amplitude, T drive_frequency, T drive_phase) {
+    const DoubleDouble<T> inverse{splat<T>(inverse_two_pi_dd[0]), splat<T>(inverse_two_pi_dd[1])};
+    const T of_drive = select(drive_amplitude == 0.0, T{}, drive_frequency);
+    return {alpha,  beta, torque, drive_amplitude, drive_frequency, inverse * drive_frequency, inverse * drive_phase,
+            sqrt(alpha + abs(torque) + abs(drive_amplitude)) + beta + of_drive + slowest_rate};
+}
+
+/// A step: theta and omega from its start as polynomials in x = (time since)/unit.
+template <class T>
+struct TaylorStep {
+    Motion<T> start;
+    DoubleDouble<T> t;  ///< at the start
+    T unit;             ///< a power of two near 1/rate, so that no coefficient overflows [s]
+    T length;           ///< [s]
+    Series<T> v;        ///< omega unit
+};
+
+/// sin and cos of 2 pi x.
+template <class T>
+inline SinCos<T> sincos_of_turns(DoubleDouble<T> x) {
+    const T shifted = 4.0 * x.hi + rounder;
+    const auto rest = two_sum(x.hi - 0.25 * (shifted - rounder), x.lo);
+    const auto angle = DoubleDouble<T>{splat<T>(two_pi_dd[0]), splat<T>(two_pi_dd[1])} * rest;
+    return rotate_quadrants(sincos_quarter(angle.hi, angle.lo), bits(shifted));
+}
+
+/// 2^-n for a positive number from 2^n to 2^(n+1).
+template <class T>
+inline T power_below_inverse(T x) {
+    return from_bits<T>((std::int64_t{2046} << 52) - (bits(x) & (std::int64_t{2047} << 52)));
+}
+
+/// log2 |x| + 1023 by a straight line in each binade: up to 0.09 less. 0 for 0.
+template <class T>
+inline T log2_by_lines(T x) {
+    return (from_bits<T>(((bits(x) & ~sign_bit) >> 20) + bits(splat<T>(rounder))) - rounder) * 0x1p-32;
+}
+
+/// 2^x within 0.1 % for |x| < 1000.
+template <class T>
+inline T exp2_by_cubic(T x) {
+    const T n = (x + rounder) - rounder;
+    const T f = x - n;
+    return scale(1.0 + f * (0.6931 + f * (0.2402 + f * 0.0555)), n);
+}
+
+template <class T>
+inline T larger(T a, T b) {
+    return select(a > b, a, b);
+}
+
+template <class T>
+inline T smaller(T a, T b) {
+    return select(a < b, a, b);
+}
+
+/// The length of a step in its unit: at most 8, so that an angle turns little more than once.
+template <class T>
+inline T taylor_length(TaylorReach reach, T theta, const Series<T>& v) {
+    const T size = log2_by_lines(larger(larger(abs(theta), abs(v[0])), larger(abs(v[1]), abs(v[2]))));
+    const int p = reach.order;
+    const T radius = smaller((size - log2_by_lines(v[p])) * (1.0 / p), (size - log2_by_lines(v[p - 1])) * (1.0 / (p - 1)));
+    return exp2_by_cubic(smaller(radius + reach.log2_fraction, splat<T>(3.0)));
+}
+
+/// The forces at the start of a step.
+template <class T>
+inline Forces<T> taylor_forces(const TaylorPendulum<T>& p, DoubleDouble<T> t, T unit) {
+    Forces<T> f{p.beta * unit, (p.torque * unit) * unit, T{}, T{}, T{}};
+    if (any<T>(p.drive_amplitude != 0.0)) {
+        const auto turns = (turned(t.hi, p.turn_rate) + t.lo * p.turn_rate.hi) + p.turn_start;
+        const auto r = sincos_of_turns(turns);
+        const T amplitude = (p.drive_amplitude * unit) * unit, frequency = p.drive_frequency * unit;
+        f.drive = amplitude * r.cos;
+        f.drive_slope = -(amplitude * frequency * r.sin);
+        f.square_frequency = frequency * frequency;
+    }
+    return f;
+}
+
+/// v and C from v[0] and C[0], by the way that each lane's own parameters ask for.
+template <class T>
+inline void taylor_series(const TaylorPendulum<T>& p, const Forces<T>& f, T sine, int order, Series<T>& v, Series<T>& C) {
+    const auto is_driven = p.drive_amplitude != 0.0;
+    const auto is_steady = (p.beta != 0.0) | (p.torque != 0.0);
+    if (!any<T>(!is_driven)) return driven_series(f, sine, order, v, C);
+    Series<T> driven_v{}, driven_C{};
+    if (any<T>(is_driven)) {
+        driven_v[0] = v[0];
+        driven_C[0] = C[0];
+        driven_series(f, sine, order, driven_v, driven_C);
+    }
+    // Without friction and torque both ways give the same bits, but for signs of zeros that no result shows.
+    if (any<T>(is_steady))
+        undriven_series<Forcing::steady>(f, sine, order, v, C);
+    else
+        undriven_series<Forcing::none>(f, sine, order, v, C);
+    if (!any<T>(is_driven)) return;
+    for (int k = 1; k <= order; ++k) {
+        v[k] = select<T>(is_driven, driven_v[k], v[k]);
+        C[k] = select<T>(is_driven, driven_C[k], C[k]);
+    }
+}
+
+/// The polynomials of a step from its start and time; C as in taylor_series.hpp.
+template <class T>
+inline void expand(const TaylorPendulum<T>& p, TaylorReach reach, TaylorStep<T>& step, Series<T>& C) {
+    step.unit = power_below_inverse(abs(step.start.omega) + p.rate);
+    const auto forces = taylor_forces(p, step.t, step.unit);
+    const auto r = sincos(step.start.theta);
+    const T pull = (p.alpha * step.unit) * step.unit;
+    const T sine = pull * (r.sin + r.cos * step.start.theta_lo);
+    C[0] = pull * (r.cos - r.sin * step.start.theta_lo);
+    step.v[0] = step.start.omega * step.unit;
+    taylor_series(p, forces, sine, reach.order, step.v, C);
+    // A motion that is not finite has no length.
+    step.length = taylor_length(reach, step.start.theta, step.v) * step.unit + 0.0 * step.v[reach.order];
+}
+
+/// The sum of factor(k) a[k] x^(k - 1) for k from 1 on: four chains of dependent operations side by side.
+template <class T, class Factor>
+inline T tail_of_series(const Series<T>& a, T x, Factor factor) {
+    constexpr int last = taylor_order_limit;
+    const T square = x * x, fourth = square * square;
+    T sum[4];
+    for (int i = 0; i < 4; ++i) {
+        const int top = last - (last - 1 - i) % 4;
+        sum[i] = factor(a[top], top);
+        for (int k = top - 4; k > 0; k -= 4) sum[i] = sum[i] * fourth + factor(a[k], k);
+    }
+    return (sum[0] + sum[1] * x) + square * (sum[2] + sum[3] * x);
+}
+
+/// The motion at a time of the step, given since its start.
+template <class T>
+inline Motion<T> motion_at(const TaylorStep<T>& step, T since) {
+    const T x = since / step.unit;
+    const T change = x * tail_of_series(step.v, x, [](T a, int) { return a; });
+    const T bend = (x * x) * tail_of_series(step.v, x, [](T a, int k) { return a * (1.0 / (k + 1)); });
+    const Motion<T>& start = step.start;
+    // The first term is large, so that its rounding is kept too.
+    const auto way = two_prod(step.v[0], x);
+    const auto theta = two_sum(start.theta, way.hi);
+    Motion<T> m{theta.hi, start.omega, start.turns, theta.lo + (way.lo + (start.theta_lo + start.omega_lo * since)), start.omega_lo};
+    add(m, bend, change / step.unit);
+    return m;
+}
+
+/// From a step's start to its end, where the next one starts.
+template <class T>
+inline void go_to_end(TaylorStep<T>& step) {
+    step.start = motion_at(step, step.length);
+    step.t = step.t + step.length;
+}
+
+}  // namespace pendula::kernels::inline PENDULA_ISA

@@ -1,0 +1,183 @@
+// The Taylor coefficients of a pendulum's motion, two orders at a time.
+//
+// Time is counted in a unit, so that v = omega unit, C = alpha unit^2 cos(theta), S = alpha unit^2 sin(theta), drag = beta unit:
+//     v' = -S - drag v + torque + drive,    S' = v C,    C' = -v S.
+// Without a drive v'' = -v C - drag v' and C' = v v' + drag v^2 - torque v: a square, for which half the products do, takes
+// the place of one of the two products of series.
+//
+// The sum of an order's products runs from its middle outwards, so that only its last terms wait for the order before. Two
+// orders share what they load: their pairs of factors differ by one place.
+#pragma once
+
+#include "arithmetic/pack.hpp"
+
+namespace pendula::kernels::inline PENDULA_ISA {
+
+using namespace arithmetic;
+
+/// The highest order; odd, as every order is.
+inline constexpr int taylor_order_limit = 21;
+
+/// Coefficients of the powers of time, up to `taylor_order_limit`; 0 above a lower order.
+template <class T>
+using Series = T[taylor_order_limit + 1];
+
+/// What acts beside gravity. Lanes of different kinds never share a choice: the kind of a lane follows from its parameters.
+enum class Forcing { none, steady, driven };
+
+/// The forces beside gravity, in the unit of time.
+template <class T>
+struct Forces {
+    T drag;
+    T torque;
+    T drive;              ///< at the beginning of the step
+    T drive_slope;        ///< its derivative
+    T square_frequency;
+};
+
+/// Coefficients k and k + 1 of a product.
+template <class T>
+struct TwoOrders {
+    T first;
+    T second;
+};
+
+/// Of x^2/2, for even k from 2 on.
+template <int k, class T>
+inline TwoOrders<T> half_square(const Series<T>& x) {
+    constexpr int middle = k / 2;
+    T far = x[middle + 1];
+    TwoOrders<T> sum{0.5 * (x[middle] * x[middle]), x[middle] * far};
+    for (int j = middle - 1; j >= 0; --j) {
+        sum.first = sum.first + x[j] * far;
+        far = x[k + 1 - j];
+        sum.second = sum.second + x[j] * far;
+    }
+    return sum;
+}
+
+template <class T>
+inline T outer_pair(const Series<T>& x, const Series<T>& y, int k) {
+    return x[0] * y[k] + x[k] * y[0];
+}
+
+/// Of x y without their outer pairs, for even k from 2 on.
+template <int k, class T>
+inline TwoOrders<T> inner_product(const Series<T>& x, const Series<T>& y) {
+    constexpr int middle = k / 2;
+    T far_x = x[middle + 1], far_y = y[middle + 1];
+    TwoOrders<T> sum{x[middle] * y[middle], x[middle] * far_y + far_x * y[middle]};
+    for (int j = middle - 1; j >= 1; --j) {
+        sum.first = sum.first + (x[j] * far_y + far_x * y[j]);
+        far_x = x[k + 1 - j];
+        far_y = y[k + 1 - j];
+        sum.second = sum.second + (x[j] * far_y + far_x * y[j]);
+    }
+    return sum;
+}
+
+/// v[n] without a drive, from the coefficient n - 2 of v C.
+template <Forcing forcing, class T>
+inline T undriven_coefficient(const Forces<T>& f, T product, T before, int n) {
+    const T fall = product * (-1.0 / ((n - 1) * n));
+    if constexpr (forcing == Forcing::none)
+        return fall;
+    else
+        return fall - (f.drag * before) * (1.0 / n);
+}
+
+/// C[n] without a drive, from the coefficients of v^2/2 and v.
+template <Forcing forcing, class T>
+inline T undriven_cosine(const Forces<T>& f, T half_square, T half_square_before, T v_before, int n) {
+    if constexpr (forcing == Forcing::none)
+        return half_square;
+    else
+        return half_square + (2.0 * f.drag * half_square_before - f.torque * v_before) * (1.0 / n);
+}
+
+/// Orders k and k + 1 of C and k + 2, k + 3 of v, and so on up to `order`.
+template <Forcing forcing, int k, class T>
+inline void undriven_orders(const Forces<T>& f, T half_square_before, int order, Series<T>& v, Series<T>& C) {
+    const auto half = half_square<k>(v);
+    C[k] = undriven_cosine<forcing>(f, half.first, half_square_before, v[k - 1], k);
+    C[k + 1] = undriven_cosine<forcing>(f, half.second, half.first, v[k], k + 1);
+    const auto product = inner_product<k>(v, C);
+    v[k + 2] = undriven_coefficient<forcing>(f, product.first + outer_pair(v, C, k), v[k + 1], k + 2);
+    v[k + 3] = undriven_coefficient<forcing>(f, product.second + outer_pair(v, C, k + 1), v[k + 2], k + 3);
+    if constexpr (k + 3 < taylor_order_limit)
+        if (k + 3 < order) undriven_orders<forcing, k + 2>(f, half.second, order, v, C);
+}
+
+/// v up to `order` from v[0], and C up to `order` - 2 from C[0].
+template <Forcing forcing, class T>
+inline void undriven_series(const Forces<T>& f, T sine, int order, Series<T>& v, Series<T>& C) {
+    const T half = 0.5 * (v[0] * v[0]);
+    v[1] = forcing == Forcing::none ? -sine : f.torque - sine - f.drag * v[0];
+    const T next_half = v[0] * v[1];
+    C[1] = undriven_cosine<forcing>(f, next_half, half, v[0], 1);
+    v[2] = undriven_coefficient<forcing>(f, v[0] * C[0], v[1], 2);
+    v[3] = undriven_coefficient<forcing>(f, outer_pair(v, C, 1), v[2], 3);
+    undriven_orders<forcing, 2>(f, next_half, order, v, C);
+}
+
+/// The series of a driven motion: S and the drive with those of an undriven one.
+template <class T>
+struct DrivenSeries {
+    Series<T>& v;
+    Series<T>& C;
+    Series<T> S;
+    Series<T> drive;
+};
+
+/// Order n of S, C and the drive, and n + 1 of v, from the coefficients n - 1 of v C and v S.
+template <class T>
+inline void driven_coefficient(const Forces<T>& f, T v_cosine, T v_sine, int n, DrivenSeries<T>& x) {
+    x.S[n] = v_cosine * (1.0 / n);
+    x.C[n] = v_sine * (-1.0 / n);
+    if (n > 1) x.drive[n] = (x.drive[n - 2] * f.square_frequency) * (-1.0 / ((n - 1) * n));
+    x.v[n + 1] = (x.drive[n] - x.S[n] - f.drag * x.v[n]) * (1.0 / (n + 1));
+}
+
+template <int k, class T>
+inline void driven_orders(const Forces<T>& f, int order, DrivenSeries<T>& x) {
+    const auto cosine = inner_product<k>(x.v, x.C);
+    const auto sine = inner_product<k>(x.v, x.S);
+    driven_coefficient(f, cosine.first + outer_pair(x.v, x.C, k), sine.first + outer_pair(x.v, x.S, k), k + 1, x);
+    driven_coefficient(f, cosine.second + outer_pair(x.v, x.C, k + 1), sine.second + outer_pair(x.v, x.S, k + 1), k + 2, x);
+    if constexpr (k + 3 < taylor_order_limit)
+        if (k + 3 < order) driven_orders<k + 2>(f, order, x);
+}
+
+/// v up to `order` from v[0], and C up to `order` - 1 from C[0].
+template <class T>
+inline void driven_series(const Forces<T>& f, T sine, int order, Series<T>& v, Series<T>& C) {
+    DrivenSeries<T> x{v, C, {}, {}};
+    x.S[0] = sine;
+    x.drive[0] = f.drive;
+    x.drive[1] = f.drive_slope;
+    v[1] = (f.torque + f.drive) - sine - f.drag * v[0];
+    driven_coefficient(f, v[0] * C[0], v[0] * sine, 1, x);
+    driven_coefficient(f, outer_pair(v, C, 1), outer_pair(v, x.S, 1), 2, x);
+    driven_orders<2>(f, order, x);
+}
+
+/// The linearised motion u' = w, w' = -C u - drag w: orders k + 2 and k + 3 of u and so on up to `order`.
+template <int k, class T>
+inline void tangent_orders(T drag, const Series<T>& C, int order, Series<T>& u) {
+    const auto product = inner_product<k>(u, C);
+    const auto coefficient = [&](T sum, int n) { return sum * (-1.0 / ((n - 1) * n)) - (drag * u[n - 1]) * (1.0 / n); };
+    u[k + 2] = coefficient(product.first + outer_pair(u, C, k), k + 2);
+    u[k + 3] = coefficient(product.second + outer_pair(u, C, k + 1), k + 3);
+    if constexpr (k + 3 < taylor_order_limit)
+        if (k + 3 < order) tangent_orders<k + 2>(drag, C, order, u);
+}
+
+/// u up to `order` from u[0] and u[1].
+template <class T>
+inline void tangent_series(T drag, const Series<T>& C, int order, Series<T>& u) {
+    u[2] = -0.5 * (u[0] * C[0] + drag * u[1]);
+    u[3] = outer_pair(u, C, 1) * (-1.0 / 6.0) - (drag * u[2]) * (1.0 / 3.0);
+    tangent_orders<2>(drag, C, order, u);
+}
+
+}  // namespace pendula::kernels::inline PENDULA_ISA

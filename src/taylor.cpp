@@ -1,0 +1,73 @@
+#include "pendula/taylor.hpp"
+
+#include "kernels/taylor_kernel.hpp"
+#include "pendula/angle.hpp"
+
+namespace pendula {
+
+using namespace arithmetic;
+using kernels::Series;
+using kernels::TaylorStep;
+
+namespace {
+
+TaylorStep<double> step_of(const Taylor& run) noexcept {
+    TaylorStep<double> step{{run.theta, run.omega, run.turns, run.theta_lo, run.omega_lo}, {run.t, run.t_lo}, run.unit, run.length, {}};
+    static_assert(sizeof step.v == sizeof run.series);
+    __builtin_memcpy(step.v, run.series, sizeof step.v);
+    return step;
+}
+
+void put_step(Taylor& run, const TaylorStep<double>& step) noexcept {
+    run.theta = step.start.theta;
+    run.omega = step.start.omega;
+    run.turns = step.start.turns;
+    run.theta_lo = step.start.theta_lo;
+    run.omega_lo = step.start.omega_lo;
+    run.t = step.t.hi;
+    run.t_lo = step.t.lo;
+    run.unit = step.unit;
+    run.length = step.length;
+    __builtin_memcpy(run.series, step.v, sizeof step.v);
+}
+
+void expand(Taylor& run, TaylorStep<double>& step) noexcept {
+    const Pendulum& p = run.pendulum;
+    const auto parameters = kernels::taylor_pendulum(p.alpha, p.beta, p.torque, p.drive_amplitude, p.drive_frequency, p.drive_phase);
+    Series<double> cosine;
+    kernels::expand(parameters, {run.order, run.log2_fraction}, step, cosine);
+    put_step(run, step);
+}
+
+}  // namespace
+
+Taylor taylor(const Pendulum& pendulum, State initial, double tolerance, double t) noexcept {
+    Taylor run;
+    run.pendulum = pendulum;
+    const auto reach = kernels::taylor_reach(tolerance);
+    run.order = reach.order;
+    run.log2_fraction = reach.log2_fraction;
+    const auto angle = split_turns(initial.theta);
+    run.theta = angle.theta;
+    run.turns = angle.turns;
+    run.omega = initial.omega;
+    run.t = t;
+    auto first = step_of(run);
+    expand(run, first);
+    return run;
+}
+
+void step(Taylor& run) noexcept {
+    auto next = step_of(run);
+    kernels::go_to_end(next);
+    expand(run, next);
+}
+
+bool reaches(const Taylor& run, double t) noexcept { return !((run.t - t) + (run.t_lo + run.length) < 0); }
+
+Sample at(const Taylor& run, double t) noexcept {
+    const auto m = kernels::motion_at(step_of(run), (t - run.t) - run.t_lo);
+    return {t, m.theta, m.omega, m.turns};
+}
+
+}  // namespace pendula

@@ -28,6 +28,7 @@ test: .stamps/test .stamps/venv
 # Address and undefined-behaviour sanitizers over the C++ tests, then a minute of fuzzing the reader.
 sanitize: .stamps/test
 	cmake --workflow --preset sanitize
+	build/sanitize/fuzz_reader -max_total_time=60 -print_final_stats=1
 
 # After an intended change of results, and a line in the changelog's section Numerics.
 golden: .stamps/test

@@ -7,7 +7,7 @@
 
 #include "pendula/actividad3.hpp"
 #include "pendula/angle.hpp"
-#include "pendula/solve.hpp"
+#include "pendula/ensemble.hpp"
 
 #ifdef __wasm__
 #define EXPORT(name) __attribute__((export_name(#name)))
@@ -219,6 +219,32 @@ void assignment(Hash& hash) {
     });
 }
 
+// Pendulums with friction, torque and drive, one of them not legal, and conservative ones in closed form.
+template <int threads>
+void ensembles(Hash& hash) {
+    constexpr std::size_t size = 307, row_count = 5;
+    static double theta[size], omega[size], alpha[size], beta[size], drive[size];
+    static double row_theta[size * row_count], row_omega[size * row_count], row_turns[size * row_count];
+    Random random;
+    for (std::size_t i = 0; i < size; ++i) {
+        theta[i] = random(-10, 10);
+        omega[i] = random(-3, 3);
+        alpha[i] = random(0.5, 2);
+        beta[i] = random(0, 1);
+        drive[i] = random(0, 2);
+    }
+    alpha[100] = nan;
+    static constexpr double none = 0, torque = 0.1, frequency = 2.0 / 3, phase = 0.25, first = 1.5, every = 3 * pi;
+    const auto one = [](const double& x) { return std::span(&x, 1); };
+    const EnsembleTimes times{.first = one(first), .every = one(every), .rows = row_count, .steps_per_row = 333};
+    const auto visit = [&](const Ensemble& ensemble, Method method) {
+        solve(ensemble, method, 1e-15, times, {.threads = threads}, {row_theta, row_omega, row_turns});
+        for (std::size_t i = 0; i < size * row_count; ++i) hash(Sample{0, row_theta[i], row_omega[i], row_turns[i]});
+    };
+    visit({size, theta, omega, alpha, beta, one(torque), drive, one(frequency), one(phase)}, Method::rk4);
+    visit({size, theta, omega, alpha, one(none), one(none), one(none), one(none), one(none)}, Method::exact);
+}
+
 struct Section {
     const char* name;
     void (*solve)(Hash&);
@@ -234,7 +260,11 @@ constexpr Section sections[] = {{"angles", angles},
                                 {"verlet", verlet_rows},
                                 {"rk4", rk4_rows},
                                 {"exact_rows", exact_rows},
-                                {"assignment", assignment}};
+                                {"assignment", assignment},
+                                {"ensembles_1_thread", ensembles<1>},
+                                {"ensembles_2_threads", ensembles<2>},
+                                {"ensembles_3_threads", ensembles<3>},
+                                {"ensembles_7_threads", ensembles<7>}};
 constexpr int section_count = sizeof(sections) / sizeof(*sections);
 
 }  // namespace

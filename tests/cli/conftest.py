@@ -31,6 +31,28 @@ def pendula():
 
 
 @pytest.fixture
+def start():
+    """Starts the program with pipes for its streams, so that a test can talk to it; what is left is cleared away."""
+    started = []
+
+    def popen(*arguments, text=b"", **options):
+        streams = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE, "stderr": subprocess.PIPE} | options
+        process = subprocess.Popen([PROGRAM, *arguments], env=CLEAN, **streams)
+        started.append(process)
+        process.stdin.write(text)
+        process.stdin.flush()
+        return process
+
+    yield popen
+    for process in started:
+        process.kill()
+        process.wait()
+        for stream in (process.stdin, process.stdout, process.stderr):
+            if stream:
+                stream.close()
+
+
+@pytest.fixture
 def table(pendula):
     """The rows of a run that has to succeed, as lists of words, without the header."""
 

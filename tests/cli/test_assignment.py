@@ -62,7 +62,7 @@ def test_the_five_sample_rows_are_the_assignments(pendula):
     assert pendula(text=FIGURES[0]).stdout.decode().startswith(FIVE_ROWS)
 
 
-@pytest.mark.parametrize("problem, rows, columns", zip(FIGURES, [51, 201, 51, 51], [4, 4, 3, 3]))
+@pytest.mark.parametrize("problem, rows, columns", list(zip(FIGURES, [51, 201, 51, 51], [4, 4, 3, 3])))
 def test_each_example_has_its_rows_and_columns(table, problem, rows, columns):
     lines = table(text=problem)
     assert len(lines) == rows

@@ -2,23 +2,12 @@
 
 import os
 import signal
-import subprocess
 import time
 
 import pytest
-from conftest import CLEAN, PROGRAM
 
 MANY_ROWS = b"0.01 0.01 1e9 1 r 0 r 1\n"
 MANY_STEPS = b"1e-12 0.5 1 1 r 0 r 1\n"
-
-
-def start(*arguments, stdout=subprocess.PIPE, **options):
-    return subprocess.Popen([PROGRAM, *arguments], stdin=subprocess.PIPE, stdout=stdout, stderr=subprocess.PIPE, env=CLEAN, **options)
-
-
-def feed(process, text):
-    process.stdin.write(text)
-    process.stdin.flush()
 
 
 def assert_whole_rows(output):
@@ -26,11 +15,10 @@ def assert_whole_rows(output):
 
 
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
-def test_a_run_into_a_file_is_interrupted_at_the_end_of_a_row(tmp_path, number):
+def test_a_run_into_a_file_is_interrupted_at_the_end_of_a_row(start, tmp_path, number):
     file = tmp_path / "table.txt"
     with open(file, "wb") as out:
-        process = start(stdout=out)
-    feed(process, MANY_ROWS)
+        process = start(stdout=out, text=MANY_ROWS)
     time.sleep(0.3)
     process.send_signal(number)
     assert process.wait(timeout=10) == 130
@@ -38,9 +26,8 @@ def test_a_run_into_a_file_is_interrupted_at_the_end_of_a_row(tmp_path, number):
     assert_whole_rows(file.read_bytes())
 
 
-def test_a_run_into_a_slow_pipe_is_interrupted_at_the_end_of_a_row():
-    process = start()
-    feed(process, MANY_ROWS)
+def test_a_run_into_a_slow_pipe_is_interrupted_at_the_end_of_a_row(start):
+    process = start(text=MANY_ROWS)
     output = process.stdout.read(10_001)
     time.sleep(0.3)  # the pipe is full, the program waits in the middle of a row
     process.send_signal(signal.SIGINT)
@@ -49,9 +36,8 @@ def test_a_run_into_a_slow_pipe_is_interrupted_at_the_end_of_a_row():
     assert_whole_rows(output)
 
 
-def test_a_second_signal_kills_though_nobody_reads():
-    process = start()
-    feed(process, MANY_ROWS)
+def test_a_second_signal_kills_though_nobody_reads(start):
+    process = start(text=MANY_ROWS)
     time.sleep(0.3)
     for _ in range(2):
         process.send_signal(signal.SIGINT)
@@ -59,9 +45,8 @@ def test_a_second_signal_kills_though_nobody_reads():
     assert process.wait(timeout=10) in (130, -signal.SIGINT)
 
 
-def test_long_steps_between_rows_are_interrupted_too():
-    process = start()
-    feed(process, MANY_STEPS)
+def test_long_steps_between_rows_are_interrupted_too(start):
+    process = start(text=MANY_STEPS)
     time.sleep(0.3)
     process.send_signal(signal.SIGINT)
     since = time.monotonic()
@@ -73,19 +58,17 @@ def test_long_steps_between_rows_are_interrupted_too():
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
 @pytest.mark.parametrize("arguments", [[], ["analyze"]])
 @pytest.mark.parametrize("text", [b"", b"1 1 1 "])
-def test_waiting_for_input_is_interrupted(arguments, text, number):
-    process = start(*arguments)
-    feed(process, text)
+def test_waiting_for_input_is_interrupted(start, arguments, text, number):
+    process = start(*arguments, text=text)
     time.sleep(0.2)
     process.send_signal(number)
     assert process.wait(timeout=10) == 130
     assert (process.stdout.read(), process.stderr.read()) == (b"", b"")
 
 
-def test_a_file_cut_short_by_an_interruption_is_left_with_whole_rows(tmp_path):
+def test_a_file_cut_short_by_an_interruption_is_left_with_whole_rows(start, tmp_path):
     file = tmp_path / "table.txt"
-    process = start("--output", str(file))
-    feed(process, MANY_ROWS)
+    process = start("--output", str(file), text=MANY_ROWS)
     while not file.exists() or file.stat().st_size == 0:
         time.sleep(0.01)
     process.send_signal(signal.SIGINT)
@@ -93,9 +76,8 @@ def test_a_file_cut_short_by_an_interruption_is_left_with_whole_rows(tmp_path):
     assert_whole_rows(file.read_bytes())
 
 
-def test_an_ignored_signal_stays_ignored():
-    process = start(preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_IGN))
-    feed(process, b"0.01 0.5 1 1 r 0 r 1\n")
+def test_an_ignored_signal_stays_ignored(start):
+    process = start(preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_IGN), text=b"0.01 0.5 1 1 r 0 r 1\n")
     process.send_signal(signal.SIGINT)
     time.sleep(0.1)
     process.send_signal(signal.SIGINT)
@@ -103,10 +85,9 @@ def test_an_ignored_signal_stays_ignored():
     assert process.returncode == 0 and output.count(b"\n") == 4
 
 
-def test_no_moment_is_bad_for_a_signal(tmp_path):
+def test_no_moment_is_bad_for_a_signal(start):
     for delay in range(30):
-        process = start()
-        feed(process, b"0.01 0.001 1 1 r 0 r 1\n")
+        process = start(text=b"0.01 0.001 1 1 r 0 r 1\n")
         time.sleep(delay * 0.0005)
         os.kill(process.pid, signal.SIGINT)
         output, _ = process.communicate(timeout=10)

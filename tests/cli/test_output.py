@@ -6,13 +6,9 @@ import signal
 import subprocess
 
 import pytest
-from conftest import CLEAN, GOOD, PROGRAM
+from conftest import GOOD
 
 LONG_RUN = "0.01 0.01 1e9 1 r 0 r 1\n"
-
-
-def start(*arguments, **options):
-    return subprocess.Popen([PROGRAM, *arguments], stdin=subprocess.PIPE, stderr=subprocess.PIPE, env=CLEAN, **options)
 
 
 def test_output_goes_to_the_file_named(pendula, tmp_path):
@@ -36,7 +32,6 @@ def test_a_bad_first_problem_leaves_the_file_alone(pendula, tmp_path, text):
 def test_a_file_that_cannot_be_opened_is_status_3(pendula, tmp_path, name, reason):
     done = pendula("--output", f"{tmp_path}/{name}", text=GOOD)
     assert (done.returncode, done.stdout) == (3, b"")
-    assert done.stderr.decode() == f'pendula: "{tmp_path}/{name}"'[:50].rstrip('"') + done.stderr.decode()[len(f'pendula: "{tmp_path}/{name}"'[:50].rstrip('"')):]
     assert done.stderr.decode().endswith(f" could not be written: {reason}\n")
 
 
@@ -90,35 +85,31 @@ def test_a_cut_after_an_append_keeps_what_was_there(pendula, tmp_path):
     assert file.read_bytes().startswith(b"before\nt angulo") and file.read_bytes().endswith(b"\n")
 
 
-def read_a_little_and_close(**options):
-    process = start(stdout=subprocess.PIPE, **options)
-    process.stdin.write(LONG_RUN.encode())
-    process.stdin.close()
+def read_a_little_and_close(start, **options):
+    process = start(text=LONG_RUN.encode(), **options)
     process.stdout.read(1000)
     process.stdout.close()
     return process.wait(timeout=20), process.stderr.read()
 
 
-def test_a_closed_pipe_ends_it_quietly():
-    assert read_a_little_and_close() == (-signal.SIGPIPE, b"")
+def test_a_closed_pipe_ends_it_quietly(start):
+    assert read_a_little_and_close(start) == (-signal.SIGPIPE, b"")
 
 
-def test_a_closed_pipe_ends_it_quietly_where_the_signal_is_ignored():
+def test_a_closed_pipe_ends_it_quietly_where_the_signal_is_ignored(start):
     ignored = {"restore_signals": False, "preexec_fn": lambda: signal.signal(signal.SIGPIPE, signal.SIG_IGN)}
-    assert read_a_little_and_close(**ignored) == (0, b"")
+    assert read_a_little_and_close(start, **ignored) == (0, b"")
 
 
-def test_a_table_is_there_before_the_next_problem_is_typed():
-    process = start(stdout=subprocess.PIPE)
-    process.stdin.write(b"0.01 0.5 1 1 r 0 r 1\n")
-    process.stdin.flush()
+def test_a_table_is_there_before_the_next_problem_is_typed(start):
+    process = start(text=b"0.01 0.5 1 1 r 0 r 1\n")
     assert [process.stdout.readline().count(b" ") for _ in range(4)] == [3] * 4
     process.stdin.close()
     assert process.wait(timeout=20) == 0
 
 
-def test_a_line_is_analysed_before_the_next_is_typed():
-    process = start("analyze", stdout=subprocess.PIPE)
+def test_a_line_is_analysed_before_the_next_is_typed(start):
+    process = start("analyze")
     for _ in range(3):
         process.stdin.write(b"1 r 0 r 1\n")
         process.stdin.flush()
@@ -127,25 +118,19 @@ def test_a_line_is_analysed_before_the_next_is_typed():
     assert process.wait(timeout=20) == 0
 
 
-def peak_memory(text):
-    """Of a run whose output is thrown away [KiB]."""
-    process = subprocess.Popen([PROGRAM, "--method", "exact"], stdin=subprocess.PIPE, stdout=subprocess.DEVNULL, env=CLEAN)
-    process.stdin.write(text)
-    process.stdin.close()
-    _, status, usage = os.wait4(process.pid, 0)
-    process.returncode = status
-    assert status == 0
-    return usage.ru_maxrss
+def within(mebibytes):
+    return {"preexec_fn": lambda: resource.setrlimit(resource.RLIMIT_AS, (mebibytes << 20, mebibytes << 20))}
 
 
-def test_memory_does_not_grow_with_the_run():
-    short, long = (peak_memory(b"1 %s 1 1 r 0 r 1" % every) for every in (b"1", b"1e-6"))
-    assert long < short + 500
-    assert peak_memory(b"1 1 1 1 r 0 r 1 " * 20_000) < short + 500
-    assert peak_memory(b"1 1 1 1 r 0 r 1 #" + b"x" * 10_000_000) < short + 500
+@pytest.mark.parametrize(
+    "text",
+    ["1 1e-6 1 1 r 0 r 1", "1 1 1 1 r 0 r 1\n" * 100_000, "1 1 1 1 r 0 r 1 #" + "x" * (32 << 20), " " * (32 << 20) + "1 1 1 1 r 0 r 1"],
+    ids=["rows", "problems", "comment", "space"],
+)
+def test_memory_does_not_grow_with_the_run(pendula, text):
+    assert pendula("--method", "exact", text=text, stdout=subprocess.DEVNULL, **within(16)).returncode == 0
 
 
 def test_a_huge_token_takes_no_memory(pendula):
-    limited = {"preexec_fn": lambda: resource.setrlimit(resource.RLIMIT_AS, (64 << 20, 64 << 20))}
-    done = pendula(text="1" * (100 << 20), **limited)
+    done = pendula(text="1" * (32 << 20), **within(16))
     assert done.returncode == 1 and b"longer than 4096 bytes" in done.stderr

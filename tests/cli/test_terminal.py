@@ -7,6 +7,7 @@ import select
 import subprocess
 import time
 
+import pytest
 from conftest import CLEAN, GOOD, PROGRAM
 
 
@@ -31,67 +32,87 @@ class Terminal:
             self.seen += os.read(self.own, 4096).decode()
         return self.seen
 
+    def close(self):
+        self.process.kill()
+        self.process.wait()
+        os.close(self.own)
+        for stream in (self.process.stdin, self.process.stdout, self.process.stderr):
+            if stream:
+                stream.close()
 
-def test_a_terminal_is_told_what_to_type_in_its_language():
+
+@pytest.fixture
+def terminal():
+    opened = []
+
+    def make(*arguments, **options):
+        opened.append(Terminal(*arguments, **options))
+        return opened[-1]
+
+    yield make
+    for one in opened:
+        one.close()
+
+
+def test_a_terminal_is_told_what_to_type_in_its_language(terminal):
     for environment, pattern in (({}, "type problems, eight values each"), ({"LANG": "es_ES.UTF-8"}, "escribe problemas, cada uno de ocho valores")):
-        terminal = Terminal(env=environment)
-        terminal.read_until(pattern)
-        terminal.type("\x04")
-        assert terminal.process.wait(timeout=10) == 1
+        at = terminal(env=environment)
+        at.read_until(pattern)
+        at.type("\x04")
+        assert at.process.wait(timeout=10) == 1
 
 
-def test_what_to_type_goes_to_standard_error():
-    terminal = Terminal(streams=("stdin",))
-    terminal.type(GOOD + "\x04")
-    output, message = terminal.process.communicate(timeout=10)
-    assert terminal.process.returncode == 0
+def test_what_to_type_goes_to_standard_error(terminal):
+    at = terminal(streams=("stdin",))
+    at.type(GOOD + "\x04")
+    output, message = at.process.communicate(timeout=10)
+    assert at.process.returncode == 0
     assert output.startswith(b"t angulo") and b"type problems" in message
 
 
-def test_a_table_follows_each_problem_typed():
-    terminal = Terminal()
-    terminal.read_until("0.0001 0.02 1 90 s 0 r 1\r\n")
-    terminal.type("0.01 0.5 1 1 r 0 r 1\n")
-    terminal.read_until("t angulo velocidad funcionSinusoidal\r\n0 1 0 1\r\n")
-    terminal.type("0.01 0.5 1 0 r 3 r 1\n")
-    terminal.read_until("\r\n\r\n\r\nt angulo velocidad\r\n0 0 3\r\n")
-    terminal.type("\x04")
-    assert terminal.process.wait(timeout=10) == 0
+def test_a_table_follows_each_problem_typed(terminal):
+    at = terminal()
+    at.read_until("0.0001 0.02 1 90 s 0 r 1\r\n")
+    at.type("0.01 0.5 1 1 r 0 r 1\n")
+    at.read_until("t angulo velocidad funcionSinusoidal\r\n0 1 0 1\r\n")
+    at.type("0.01 0.5 1 0 r 3 r 1\n")
+    at.read_until("\r\n\r\n\r\nt angulo velocidad\r\n0 0 3\r\n")
+    at.type("\x04")
+    assert at.process.wait(timeout=10) == 0
 
 
-def test_analyze_answers_each_line_typed():
-    terminal = Terminal("analyze")
-    terminal.read_until("type lines")
-    terminal.type("0 r 2 r 1\n")
-    terminal.read_until("0 3.14159 7.14932\r\n")
-    terminal.type("0 r 2 r\n")
-    terminal.read_until("ERROR: line 2: the line ends too soon; missing: α")
-    terminal.type("\x04")
-    assert terminal.process.wait(timeout=10) == 1
+def test_analyze_answers_each_line_typed(terminal):
+    at = terminal("analyze")
+    at.read_until("type lines")
+    at.type("0 r 2 r 1\n")
+    at.read_until("0 3.14159 7.14932\r\n")
+    at.type("0 r 2 r\n")
+    at.read_until("ERROR: line 2: the line ends too soon; missing: α")
+    at.type("\x04")
+    assert at.process.wait(timeout=10) == 1
 
 
-def test_a_long_run_shows_how_far_it_is_and_leaves_no_trace():
-    terminal = Terminal(streams=("stderr",))
-    terminal.process.stdin.write(b"1e-9 0.1 1e3 1 r 0 r 1\n")
-    terminal.process.stdin.flush()
-    terminal.read_until(r"\r\x1b\[Kpendula: 0 %, \d+ s left")
-    terminal.process.terminate()
-    assert terminal.process.wait(timeout=10) == 130
-    assert re.search(r"s left\r\x1b\[K$", terminal.read_until(r"left\r\x1b\[K$"))
+def test_a_long_run_shows_how_far_it_is_and_leaves_no_trace(terminal):
+    at = terminal(streams=("stderr",))
+    at.process.stdin.write(b"1e-9 0.1 1e3 1 r 0 r 1\n")
+    at.process.stdin.flush()
+    at.read_until(r"\r\x1b\[Kpendula: 0 %, \d+ s left")
+    at.process.terminate()
+    assert at.process.wait(timeout=10) == 130
+    at.read_until(r"left\r\x1b\[K$")
 
 
-def test_a_short_run_shows_nothing():
-    terminal = Terminal(streams=("stderr",))
-    terminal.process.stdin.write(GOOD.encode())
-    terminal.process.stdin.close()
-    assert terminal.process.wait(timeout=10) == 0
-    assert not select.select([terminal.own], [], [], 0)[0] or os.read(terminal.own, 1) == b""
+def test_a_short_run_shows_nothing(terminal):
+    at = terminal(streams=("stderr",))
+    at.process.stdin.write(GOOD.encode())
+    at.process.stdin.close()
+    assert at.process.wait(timeout=10) == 0
+    with pytest.raises(OSError):  # the terminal's other end is closed, and nothing was written before
+        os.read(at.own, 1)
 
 
-def test_without_a_terminal_a_long_run_says_nothing(pendula):
-    process = subprocess.Popen([PROGRAM], stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=CLEAN)
-    process.stdin.write(b"1e-9 0.1 1e3 1 r 0 r 1\n")
-    process.stdin.flush()
+def test_without_a_terminal_a_long_run_says_nothing(start):
+    process = start(text=b"1e-9 0.1 1e3 1 r 0 r 1\n")
     time.sleep(1.5)
     process.terminate()
     _, message = process.communicate(timeout=10)

@@ -86,10 +86,21 @@ void set_separatrix(Exact& e, const EnergyBalance& b) noexcept {
     e.speed_num[0] = is_at_rest ? 0 : 2 * sense * root.hi * b.unit;
 }
 
-/// F(phi)/K by Carlson's integrals, mirrored where the cosine is negative; s, c of phi, dn^2 = 1 - k^2 s^2.
+/// F(phi)/K by Carlson's integral, s and c of phi, dn^2 = 1 - k^2 s^2. Past F = K/2 by the way left to K, c R_F(k'^2 s^2, k'^2,
+/// dn^2), which shrinks towards the turning point and past it counts on. Near the separatrix, where K is large, the integral's
+/// relative error counts, and it is taken in double-double.
 double initial_phase(double s, double c, double dn_squared, double complement) noexcept {
-    const double quarter = s * carlson_rf(c * c, dn_squared, 1.0) / carlson_rf(0.0, complement * complement, 1.0);
-    return c >= 0 ? quarter : (s < 0 ? -2 : 2) - quarter;
+    const double sense = s < 0 ? -1 : 1;
+    const double inverse_quarter = agm(Number{1, 0}, Number{complement, 0}).hi / (0.5 * pi);
+    const auto integral = [complement](double x, double y, double z) {
+        return complement < 0.01 ? carlson_rf(Number{x, 0}, Number{y, 0}, Number{z, 0}) : carlson_rf(x, y, z);
+    };
+    if (s * s * complement > c * c) {
+        const double k2 = complement * complement;
+        return sense - sense * c * integral(k2 * s * s, k2, dn_squared) * inverse_quarter;
+    }
+    const double passed = s * integral(c * c, dn_squared, 1.0) * inverse_quarter;
+    return c >= 0 ? passed : 2 * sense - passed;
 }
 
 void set_oscillation(Exact& e, const EnergyBalance& b) noexcept {
@@ -148,9 +159,9 @@ double sinusoid(const Exact& e, double t) noexcept {
     if (e.analysis.regime != Regime::oscillation) return __builtin_nan("");
     const double amplitude = e.analysis.theta_max;
     if (amplitude == 0) return 0;
-    const auto p = kernels::to_phase(kernels::turned(t, Number{e.rate_hi, e.rate_lo}), 0.0);  // half periods
+    const auto p = kernels::phase_at(t, kernels::to_rate(Number{e.rate_hi, e.rate_lo}), 0.0);  // half periods
     const double start = pendula::phase(wrap(e.initial.theta) / amplitude, e.initial.omega);
-    return amplitude * kernels::sign_of_half_periods(p.whole) * sin(pi * p.fraction + start);
+    return amplitude * kernels::alternate(sin(pi * p.fraction + start), p.whole);
 }
 
 }  // namespace pendula

@@ -1,33 +1,48 @@
 // Carlson's symmetric integral and the nome: what the closed form needs besides the arithmetic-geometric mean.
 #pragma once
 
-#include "arithmetic/pack.hpp"
+#include "arithmetic/double_double.hpp"
 
 namespace pendula::arithmetic::inline PENDULA_ISA {
 
-/// R_F(x, y, z) for x, y, z >= 0, at most one of them zero, within 4 ulp (DLMF 19.16.1, 19.36.1).
-/// Duplication shrinks the spread by 4 a round once it is moderate; from spreads of 1e-32 that takes 24 rounds.
-template <class T>
-inline T carlson_rf(T x, T y, T z) {
-    constexpr int rounds = 24;
-    for (int i = 0; i < rounds; ++i) {
-        const T a = sqrt(x), b = sqrt(y), c = sqrt(z);
-        const T lambda = a * b + b * c + c * a;
-        x = 0.25 * (x + lambda);
-        y = 0.25 * (y + lambda);
-        z = 0.25 * (z + lambda);
-        if (!any<T>(abs(x - y) + abs(y - z) > 2e-3 * z)) break;
+/// One duplication: x, y, z -> (x + lambda)/4, …, which leaves R_F as it is and shrinks the spread by 4 (DLMF 19.36.1).
+template <class N>
+inline void duplicate(N& x, N& y, N& z) {
+    const N a = sqrt(x), b = sqrt(y), c = sqrt(z);
+    const N lambda = a * b + b * c + c * a;
+    const auto quarter = [&lambda](N v) { return (v + lambda) * 0.25; };
+    x = quarter(x);
+    y = quarter(y);
+    z = quarter(z);
+}
+
+/// R_F of arguments within a part in 500 of each other, over 1/sqrt(their mean): the first neglected terms are of the 8th
+/// order in the spread, below 1e-20 (DLMF 19.36.1).
+inline double carlson_series(double x, double y, double z, double mean) {
+    const double dx = 1.0 - x / mean;
+    const double dy = 1.0 - y / mean;
+    const double dz = -(dx + dy);
+    const double e2 = dx * dy - dz * dz;
+    const double e3 = dx * dy * dz;
+    return 1.0 + (-e2 / 10.0 + e3 / 14.0 + e2 * e2 / 24.0 - 3.0 / 44.0 * e2 * e3 - 5.0 / 208.0 * e2 * e2 * e2 +
+                  3.0 / 104.0 * e3 * e3 + e2 * e2 * e3 / 16.0);
+}
+
+/// R_F(x, y, z) for x, y, z >= 0, at most one of them zero, within 4 ulp (DLMF 19.16.1). From spreads of 1e-32 it takes 24
+/// duplications. N is double, or double-double for a result within 1 ulp.
+template <class N>
+inline double carlson_rf(N x, N y, N z) {
+    const auto rounded = [](auto v) {
+        if constexpr (requires { v.hi; }) return v.hi; else return v;
+    };
+    double a = 0, b = 0, c = 0;
+    for (int i = 0; i < 24; ++i) {
+        duplicate(x, y, z);
+        a = rounded(x), b = rounded(y), c = rounded(z);
+        if (abs(a - b) + abs(b - c) <= 2e-3 * c) break;
     }
-    const T mean = (x + y + z) * (1.0 / 3.0);
-    const T dx = 1.0 - x / mean;
-    const T dy = 1.0 - y / mean;
-    const T dz = -(dx + dy);
-    const T e2 = dx * dy - dz * dz;
-    const T e3 = dx * dy * dz;
-    // The first neglected terms are of the 8th order in the spread: below 1e-20.
-    const T series = 1.0 + (-e2 / 10.0 + e3 / 14.0 + e2 * e2 / 24.0 - 3.0 / 44.0 * e2 * e3 - 5.0 / 208.0 * e2 * e2 * e2 +
-                            3.0 / 104.0 * e3 * e3 + e2 * e2 * e3 / 16.0);
-    return series / sqrt(mean);
+    const double mean = rounded((x + y + z) * (1.0 / 3.0));
+    return carlson_series(a, b, c, mean) / sqrt(mean);
 }
 
 /// The nome q of modulus k, from k^2 <= 1/2 and its complement k' (DLMF 20.9.2, 22.2): within 4 ulp.

@@ -82,15 +82,16 @@ inline T cos(T x) {
     return sincos(x).cos;
 }
 
-/// sin(pi f) and cos(pi f) for |f| <= 1/2 (1 + 2^-50), within 1 ulp; exactly 1 and 0 at 1/2.
+/// sin(pi f) and cos(pi f) for |f| <= 1/2 (1 + 2^-50), within 1.5 ulp; exactly 1 and 0 at 1/2.
 template <class T>
 inline SinCos<T> sincos_of_half_turn(T f) {
     const T a = abs(f);
     const auto is_steep = a > 0.25;
-    const T rest = 0.5 - a;
-    const T g = select(is_steep, rest, a);
-    const auto r = sincos_quarter<T>(g * pi_dd[0], g * pi_dd[1]);
-    return {copy_sign(select(is_steep, r.cos, r.sin), f), select(is_steep, r.sin, r.cos)};
+    const T g = select(is_steep, 0.5 - a, a);
+    const T u = g * g;
+    const T s = g * polynomial(u, sin_turn);
+    const T c = 1.0 + u * polynomial(u, cos_turn);
+    return {copy_sign(select(is_steep, c, s), f), select(is_steep, s, c)};
 }
 
 /// sin and cos in double-double for |x| <= 2^1023, absolute error below 2^-103 and relative 2^-100 but near the zeros of

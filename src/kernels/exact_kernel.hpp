@@ -11,10 +11,10 @@ namespace pendula::kernels::inline PENDULA_ISA {
 
 using namespace arithmetic;
 
-/// 1 where the number of half periods is even, -1 where it is odd.
+/// x where the number of half periods is even, -x where it is odd.
 template <class T>
-inline T sign_of_half_periods(T whole) {
-    return 1.0 - 2.0 * abs(whole - 2.0 * round_even(0.5 * whole));
+inline T alternate(T x, T whole) {
+    return from_bits<T>(bits(x) ^ (bits(whole + rounder) << 63));
 }
 
 template <class T>
@@ -69,16 +69,15 @@ template <class T>
 inline Swing<T> closed_form(const Exact& e, T t) {
     const bool is_separatrix = e.analysis.regime == Regime::separatrix;
     const bool rotates = e.analysis.regime == Regime::rotation;
-    const auto passed = turned(t, DoubleDouble<T>{splat<T>(e.rate_hi), splat<T>(e.rate_lo)});
     Phase<T> p{};
     Argument<T> a;
     if (is_separatrix) {
         // Past 700 the angle is pi to the last bit; e^700 still has a reciprocal.
-        const T zeta = passed.hi + e.phase + passed.lo;
+        const T zeta = e.phase + (t * e.rate_hi + t * e.rate_lo);
         a = hyperbolic_argument(select(abs(zeta) > 700.0, copy_sign(splat<T>(700.0), zeta), zeta));
         a.x = T{};  // the cubics are constants
     } else {
-        p = to_phase(passed, splat<T>(e.phase));
+        p = phase_at(t, to_rate<T>({splat<T>(e.rate_hi), splat<T>(e.rate_lo)}), splat<T>(e.phase));
         a = e.stretch == 0 ? circular_argument(p.fraction) : hyperbolic_argument(e.stretch * p.fraction);
     }
     const T square = a.x * a.x;
@@ -95,8 +94,7 @@ inline Swing<T> closed_form(const Exact& e, T t) {
     const T theta = 2.0 * angle_in_right_half<Care::fast>(a.s * cubic(a.x, square, e.angle_num), angle_den);
     const T omega = speed_num / speed_den;
     if (rotates || is_separatrix) return into_interval<T>({theta, omega, e.turns + p.whole}, rotates);
-    const T flip = sign_of_half_periods(p.whole);
-    return into_interval<T>({flip * theta, flip * omega, T{} + e.turns}, false);
+    return into_interval<T>({alternate(theta, p.whole), alternate(omega, p.whole), splat<T>(e.turns)}, false);
 }
 
 }  // namespace pendula::kernels::inline PENDULA_ISA

@@ -21,17 +21,24 @@ T load(const double* x) {
 
 void store(double* x, const T& pack) { __builtin_memcpy(x, &pack, sizeof pack); }
 
-/// A tail runs the same operations on a padded pack.
-void exact(const Exact& e, std::size_t n, const double* t, double* theta, double* omega, double* turns) {
-    for (std::size_t i = 0; i < n; i += width) {
-        const std::size_t count = n - i < width ? n - i : width;
-        T time{};
-        __builtin_memcpy(&time, t + i, count * sizeof(double));
-        const auto s = closed_form(e, time);
-        __builtin_memcpy(theta + i, &s.theta, count * sizeof(double));
-        __builtin_memcpy(omega + i, &s.omega, count * sizeof(double));
-        __builtin_memcpy(turns + i, &s.turns, count * sizeof(double));
+void exact(const Exact& solution, std::size_t n, const double* t, double* theta, double* omega, double* turns) {
+    const Exact e = solution;  // which no store can change
+    std::size_t i = 0;
+    for (; i + width <= n; i += width) {
+        const auto s = closed_form(e, load(t + i));
+        store(theta + i, s.theta);
+        store(omega + i, s.omega);
+        store(turns + i, s.turns);
     }
+    if (i == n) return;
+    // The tail runs the same operations on a padded pack.
+    const std::size_t bytes = (n - i) * sizeof(double);
+    T time{};
+    __builtin_memcpy(&time, t + i, bytes);
+    const auto s = closed_form(e, time);
+    __builtin_memcpy(theta + i, &s.theta, bytes);
+    __builtin_memcpy(omega + i, &s.omega, bytes);
+    __builtin_memcpy(turns + i, &s.turns, bytes);
 }
 
 template <bool has_tangent>

@@ -1,4 +1,4 @@
-// Times as phases: a product with a rate in two doubles, and its whole and fractional part.
+// Times as phases: the whole and the fractional part of a product with a rate.
 #pragma once
 
 #include "arithmetic/double_double.hpp"
@@ -7,15 +7,24 @@ namespace pendula::kernels::inline PENDULA_ISA {
 
 using namespace arithmetic;
 
-/// The product t rate as a double-double: t is cut by its bits, so that no t overflows. Relative error 2^-104.
+/// The leading 26 bits of x, so that products of two such are exact; by its bits, so that no x overflows.
 template <class T>
-inline DoubleDouble<T> turned(T t, DoubleDouble<T> rate) {
-    const auto r = split(rate.hi);
-    const T t_hi = from_bits<T>(bits(t) & ~std::int64_t{0x7ffffff});
-    const T t_lo = t - t_hi;
-    const T p = t * rate.hi;
-    const T rest = ((t_hi * r.hi - p) + t_hi * r.lo + t_lo * r.hi) + t_lo * r.lo;
-    return {p, rest + t * rate.lo};
+inline T leading_bits(T x) {
+    return from_bits<T>(bits(x) & ~std::int64_t{0x7ffffff});
+}
+
+/// A rate, cut for exact products.
+template <class T>
+struct Rate {
+    T leading;
+    T rest;
+    T whole;
+};
+
+template <class T>
+inline Rate<T> to_rate(DoubleDouble<T> rate) {
+    const T leading = leading_bits(rate.hi);
+    return {leading, (rate.hi - leading) + rate.lo, rate.hi};
 }
 
 template <class T>
@@ -24,11 +33,25 @@ struct Phase {
     T fraction;  ///< in [-1/2, 1/2]
 };
 
+/// start + t rate, |start| <= 1. The fraction's error is below 2^-53 times its own size, where start and the product's first
+/// 52 bits leave a small one, plus 2^-79 |t rate|: a 2^-26th of what one ulp of t moves it.
 template <class T>
-inline Phase<T> to_phase(DoubleDouble<T> x, T start) {
-    const auto sum = two_sum(x.hi, start);
-    const T whole = round_even(sum.hi);
-    return {whole, (sum.hi - whole) + (sum.lo + x.lo)};
+inline Phase<T> phase_at(T t, Rate<T> rate, T start) {
+    const T t_leading = leading_bits(t);
+    const T product = t_leading * rate.leading;
+    const T rest = t_leading * rate.rest + (t - t_leading) * rate.whole;
+    const T whole = round_even(product + (rest + start));
+    return {whole, ((product - whole) + start) + rest};
+}
+
+/// The product t rate as a double-double, with a relative error of 2^-104.
+template <class T>
+inline DoubleDouble<T> turned(T t, DoubleDouble<T> rate) {
+    const auto r = split(rate.hi);
+    const T t_leading = leading_bits(t), t_rest = t - t_leading;
+    const T p = t * rate.hi;
+    const T rest = ((t_leading * r.hi - p) + t_leading * r.lo + t_rest * r.hi) + t_rest * r.lo;
+    return {p, rest + t * rate.lo};
 }
 
 }  // namespace pendula::kernels::inline PENDULA_ISA

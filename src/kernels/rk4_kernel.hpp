@@ -23,7 +23,7 @@ struct Rk4Step {
     T drag;                ///< beta h
     T torque;              ///< torque h^2
     T drive;               ///< drive_amplitude h^2
-    DoubleDouble<T> rate;  ///< drive_frequency/(2 pi)
+    Rate<T> rate;          ///< drive_frequency/(2 pi)
     T start;               ///< drive_phase/(2 pi)
     SinCos<T> half_step;   ///< of drive_frequency h/2
 };
@@ -36,7 +36,7 @@ inline Rk4Step<T> rk4_constants(T alpha, T beta, T torque, T drive_amplitude, T 
             beta * h,
             torque * h * h,
             drive_amplitude * h * h,
-            inverse * drive_frequency,
+            to_rate(inverse * drive_frequency),
             inverse.hi * drive_phase,
             sincos(0.5 * drive_frequency * h)};
 }
@@ -189,7 +189,7 @@ inline void large_steps(Stages& stages, Motion<T>& x, int steps) {
 template <bool is_driven, bool has_tangent, class T>
 inline void forced_block(const Rk4Step<T>& k, DoubleDouble<T> t, Motion<T>& x, Tangent<T>& tangent, const Mask<T>& is_small, int steps) {
     SinCos<T> drive{};
-    if constexpr (is_driven) drive = sincos(two_pi_dd[0] * to_phase(turned(t.hi, k.rate) + t.lo * k.rate.hi, k.start).fraction);
+    if constexpr (is_driven) drive = sincos(two_pi_dd[0] * phase_at(t.hi, k.rate, k.start + t.lo * k.rate.whole).fraction);
     Stages<is_driven, has_tangent, T> small_stages{k, drive, {tangent.theta, tangent.omega * k.h}};
     auto large_stages = small_stages;
     Motion<T> small = x, large = x;

@@ -87,7 +87,7 @@ trigonometric("quarter", pi / 4 * mpf("1.0001"), 6, 6, "pi/4")
 trigonometric("short", mpf(1) / 48, 2, 2, "1/48")
 polynomial("sin_turn", "sin(pi f)/f in f^2, |f| <= 1/4, relative to sin(pi f)",
            around_zero(lambda u: sin(pi * sqrt(u)) / sqrt(u), power_series(lambda n: (-1) ** n * pi ** (2 * n + 1) / factorial(2 * n + 1))),
-           [0, mpf(1) / 16 * mpf("1.0001")], 8, lambda u: 1 / pi)
+           [0, mpf(1) / 16 * mpf("1.0001")], 7, lambda u: 1 / pi)
 polynomial("cos_turn", "(cos(pi f) - 1)/f^2 in f^2, |f| <= 1/4, absolute",
            around_zero(lambda u: (cos(pi * sqrt(u)) - 1) / u, power_series(lambda n: (-1) ** (n + 1) * pi ** (2 * n + 2) / factorial(2 * n + 2))),
            [0, mpf(1) / 16 * mpf("1.0001")], 7, lambda u: u)

@@ -18,7 +18,7 @@ inline void duplicate(N& x, N& y, N& z) {
 
 /// R_F of arguments within a part in 500 of each other, over 1/sqrt(their mean): the first neglected terms are of the 8th
 /// order in the spread, below 1e-20 (DLMF 19.36.1).
-inline double carlson_series(double x, double y, double z, double mean) {
+inline double carlson_series(double x, double y, double mean) {
     const double dx = 1.0 - x / mean;
     const double dy = 1.0 - y / mean;
     const double dz = -(dx + dy);
@@ -42,7 +42,7 @@ inline double carlson_rf(N x, N y, N z) {
         if (abs(a - b) + abs(b - c) <= 2e-3 * c) break;
     }
     const double mean = rounded((x + y + z) * (1.0 / 3.0));
-    return carlson_series(a, b, c, mean) / sqrt(mean);
+    return carlson_series(a, b, mean) / sqrt(mean);
 }
 
 /// The nome q of modulus k, from k^2 <= 1/2 and its complement k' (DLMF 20.9.2, 22.2): within 4 ulp.

@@ -148,14 +148,21 @@ inline bool any(const Mask<T>& mask) {
     }
 }
 
+// Half by half: a cast of the whole would send it through memory.
 template <class T>
-inline Bits<T> bits(T x) {
-    return __builtin_bit_cast(Bits<T>, x);
+inline Bits<T> bits(const T& x) {
+    if constexpr (requires { x.a; })
+        return {bits(x.a), bits(x.b)};
+    else
+        return __builtin_bit_cast(Bits<T>, x);
 }
 
 template <class T>
-inline T from_bits(Bits<T> x) {
-    return __builtin_bit_cast(T, x);
+inline T from_bits(const Bits<T>& x) {
+    if constexpr (requires { x.a; })
+        return {from_bits<decltype(T::a)>(x.a), from_bits<decltype(T::b)>(x.b)};
+    else
+        return __builtin_bit_cast(T, x);
 }
 
 inline constexpr std::int64_t sign_bit = INT64_MIN;

@@ -22,6 +22,8 @@ inline T cubic(T x, T square, const double (&c)[4]) {
     return (c[0] + c[1] * x) + square * (c[2] + c[3] * x);
 }
 
+inline constexpr double last_below_pi = 0x1.921fb54442d17p+1;
+
 template <class T>
 struct Swing {
     T theta;
@@ -37,9 +39,10 @@ struct Argument {
     T x;
 };
 
+/// Past 100, on the separatrix only, the angle is pi to the last bit and the velocity below 1e-43; the powers stay finite.
 template <class T>
 inline Argument<T> hyperbolic_argument(T zeta) {
-    const T e = exp(zeta);
+    const T e = exp(select(abs(zeta) > 100.0, copy_sign(splat<T>(100.0), zeta), zeta));
     const T inverse = 1.0 / e;
     const T s = 0.5 * (e - inverse);
     return {s, 0.5 * (e + inverse), -(s * s)};
@@ -51,50 +54,65 @@ inline Argument<T> circular_argument(T fraction) {
     return {r.sin, r.cos, r.sin * r.sin};
 }
 
-/// Where rounding has carried an angle out of [-pi, pi): into it, or by a turn where it rotates.
+/// tan(theta/2) as a fraction, and the velocity, but for the sign that the whole part of the phase gives an oscillation.
 template <class T>
-inline Swing<T> into_interval(Swing<T> s, bool rotates) {
-    const T below = splat<T>(0x1.921fb54442d17p+1);  // the largest double of the interval
-    const auto is_above = s.theta >= pi_dd[0];
-    if (!rotates) return {select(is_above, below, s.theta), s.omega, s.turns};
-    const auto is_under = s.theta < -pi_dd[0];
-    const T down = (s.theta - two_pi_dd[0]) - two_pi_dd[1];
+struct HalfTangent {
+    T numerator;
+    T denominator;
+    T omega;
+};
+
+template <class T>
+inline Phase<T> phase_of(const Exact& e, T t) {
+    if (e.analysis.regime == Regime::separatrix) return {T{}, e.phase + (t * e.rate_hi + t * e.rate_lo)};
+    return phase_at(t, to_rate<T>({splat<T>(e.rate_hi), splat<T>(e.rate_lo)}), splat<T>(e.phase));
+}
+
+template <class T>
+inline HalfTangent<T> half_tangent(const Exact& e, T fraction) {
+    const bool is_hyperbolic = e.stretch != 0;
+    const auto a = is_hyperbolic ? hyperbolic_argument(e.stretch * fraction) : circular_argument(fraction);
+    const T square = a.x * a.x;
+    const T numerator = a.s * cubic(a.x, square, e.angle_num);
+    const T denominator = cubic(a.x, square, e.angle_den);
+    const T speed_num = cubic(a.x, square, e.speed_num);
+    const T speed_den = cubic(a.x, square, e.speed_den);
+    if (is_hyperbolic) return {numerator, denominator, speed_num / (speed_den * a.c)};
+    if (e.analysis.regime == Regime::rotation) return {numerator, denominator * a.c, speed_num / speed_den};
+    return {numerator, denominator, (speed_num * a.c) / speed_den};
+}
+
+/// The state of a rotation, whose angle may round out of [-pi, pi): into it by a turn.
+template <class T>
+inline Swing<T> rotating(T theta, T omega, T turns) {
+    const T last = splat<T>(last_below_pi);
+    const auto is_above = theta >= pi_dd[0];
+    const auto is_under = theta < -pi_dd[0];
+    const T down = (theta - two_pi_dd[0]) - two_pi_dd[1];
+    const T up = (theta + two_pi_dd[0]) + two_pi_dd[1];
     const T lower = select(down < -pi_dd[0], splat<T>(-pi_dd[0]), down);
-    const T upper = (s.theta + two_pi_dd[0]) + two_pi_dd[1];
+    const T upper = select(up >= pi_dd[0], last, up);
     const T carried = select(is_above, splat<T>(1.0), select(is_under, splat<T>(-1.0), T{}));
-    return {select(is_above, lower, select(is_under, select(upper >= pi_dd[0], below, upper), s.theta)), s.omega, s.turns + carried};
+    return {select(is_above, lower, select(is_under, upper, theta)), omega, turns + carried};
+}
+
+/// The state of an oscillation or on the separatrix, whose angle stays below pi: where it rounds to pi, the last double below.
+template <class T>
+inline Swing<T> swinging(T theta, T omega, T turns) {
+    return {select(theta >= pi_dd[0], splat<T>(last_below_pi), theta), omega, turns};
+}
+
+template <class T>
+inline Swing<T> state_of(const Exact& e, T whole, const HalfTangent<T>& h) {
+    const T theta = 2.0 * angle_in_right_half<Care::fast>(h.numerator, h.denominator);
+    if (e.analysis.regime == Regime::rotation) return rotating<T>(theta, h.omega, e.turns + whole);
+    return swinging<T>(alternate(theta, whole), alternate(h.omega, whole), splat<T>(e.turns));
 }
 
 template <class T>
 inline Swing<T> closed_form(const Exact& e, T t) {
-    const bool is_separatrix = e.analysis.regime == Regime::separatrix;
-    const bool rotates = e.analysis.regime == Regime::rotation;
-    Phase<T> p{};
-    Argument<T> a;
-    if (is_separatrix) {
-        // Past 700 the angle is pi to the last bit; e^700 still has a reciprocal.
-        const T zeta = e.phase + (t * e.rate_hi + t * e.rate_lo);
-        a = hyperbolic_argument(select(abs(zeta) > 700.0, copy_sign(splat<T>(700.0), zeta), zeta));
-        a.x = T{};  // the cubics are constants
-    } else {
-        p = phase_at(t, to_rate<T>({splat<T>(e.rate_hi), splat<T>(e.rate_lo)}), splat<T>(e.phase));
-        a = e.stretch == 0 ? circular_argument(p.fraction) : hyperbolic_argument(e.stretch * p.fraction);
-    }
-    const T square = a.x * a.x;
-    T angle_den = cubic(a.x, square, e.angle_den);
-    T speed_num = cubic(a.x, square, e.speed_num);
-    T speed_den = cubic(a.x, square, e.speed_den);
-    if (e.stretch != 0) {
-        speed_den = speed_den * a.c;
-    } else if (rotates) {
-        angle_den = angle_den * a.c;
-    } else {
-        speed_num = speed_num * a.c;
-    }
-    const T theta = 2.0 * angle_in_right_half<Care::fast>(a.s * cubic(a.x, square, e.angle_num), angle_den);
-    const T omega = speed_num / speed_den;
-    if (rotates || is_separatrix) return into_interval<T>({theta, omega, e.turns + p.whole}, rotates);
-    return into_interval<T>({alternate(theta, p.whole), alternate(omega, p.whole), splat<T>(e.turns)}, false);
+    const auto p = phase_of(e, t);
+    return state_of(e, p.whole, half_tangent(e, p.fraction));
 }
 
 }  // namespace pendula::kernels::inline PENDULA_ISA

@@ -13,12 +13,13 @@ Analysis analyze_by(double epsilon, const Pendulum& pendulum, State initial, std
     if (epsilon == 0) return analyze(pendulum.alpha, initial);
     const double terms = series_terms(pendulum.alpha, initial, epsilon);
     if (terms > series_terms_limit)
-        throw Failure{Status::bad_data,
-                      std::string(place) + say({"the series needs {0} terms, more than {1}; ask for a larger --epsilon, or leave "
-                                                "--method series out",
-                                                "la serie necesita {0} términos, más de {1}; pide un --epsilon mayor, o quita "
-                                                "--method series"},
-                                               {shown(terms), shown(series_terms_limit)})};
+        throw Failure{
+            Status::bad_data,
+            std::string(place) + say({"the series needs {0} terms, more than {1}; ask for a larger --epsilon, or leave "
+                                      "--method series out",
+                                      "la serie necesita {0} términos, más de {1}; pide un --epsilon mayor, o quita "
+                                      "--method series"},
+                                     {shown(terms), shown(series_terms_limit)})};
     tell(std::string(place) + say({"the series needs {0} terms", "la serie necesita {0} términos"}, {shown(terms)}));
     return analyze_by_series(pendulum.alpha, initial, epsilon);
 }
@@ -34,8 +35,7 @@ void put_analysis(Writer& writer, const Analysis& analysis, const Layout& chosen
     const int k = static_cast<int>(analysis.regime);
     char row[256];
     char* end = put_field(row, style, 0, k);
-    if (chosen.format == Format::json)
-        end = put_text(end, ",\"regime\":\"" + std::string(regime_names[k + 1]) + '"');
+    if (chosen.format == Format::json) end = put_text(end, ",\"regime\":\"" + std::string(regime_names[k + 1]) + '"');
     end = put_field(end, style, 1, analysis.theta_max);
     end = put_field(end, style, 2, analysis.tau);
     put(writer, {row, static_cast<std::size_t>(put_text(end, style.end) - row)});

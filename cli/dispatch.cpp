@@ -44,20 +44,17 @@ std::set<std::string> known_names() {
 [[noreturn]] void refuse(const std::string& name) {
     std::error_code error;
     if (fs::is_regular_file(name, error))
-        throw Failure{Status::bad_usage,
-                      say({"{0} is a file, no command; to read problems from it: pendula < {1}",
-                           "{0} es un fichero, no una orden; para leer problemas de él: pendula < {1}"},
-                          {in_quotes(name), name})};
+        throw Failure{Status::bad_usage, say({"{0} is a file, no command; to read problems from it: pendula < {1}",
+                                              "{0} es un fichero, no una orden; para leer problemas de él: pendula < {1}"},
+                                             {in_quotes(name), name})};
     const auto known = known_names();
     const std::vector<std::string_view> names(known.begin(), known.end());
-    const auto meant = nearest(name, names.data(), names.size());
-    std::string all;
-    for (const auto& one : known) all += (all.empty() ? "" : ", ") + one;
+    const auto meant = nearest(name, names);
     throw Failure{Status::bad_usage,
-                  meant.empty()
-                      ? say({"unknown command {0}; there are {1}", "orden desconocida {0}; las hay: {1}"}, {in_quotes(name), all})
-                      : say({"unknown command {0}; did you mean {1}?", "orden desconocida {0}; ¿querías decir {1}?"},
-                            {in_quotes(name), meant})};
+                  meant.empty() ? say({"unknown command {0}; there are {1}", "orden desconocida {0}; existen {1}"},
+                                      {in_quotes(name), joined(names)})
+                                : say({"unknown command {0}; did you mean {1}?", "orden desconocida {0}; ¿querías decir {1}?"},
+                                      {in_quotes(name), meant})};
 }
 
 }  // namespace

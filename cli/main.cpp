@@ -53,9 +53,14 @@ Status run(std::vector<std::string> arguments) {
     if (options.wants_version) return print("pendula " PENDULA_VERSION "\n");
     catch_interruptions();
     switch (command) {
-        case reads: solve_input(options); break;
-        case solves: solve_options(options); break;
-        case analyzes: return analyze(options);
+        case reads:
+            solve_input(options);
+            break;
+        case solves:
+            solve_options(options);
+            break;
+        case analyzes:
+            return analyze(options);
     }
     return Status::done;
 }

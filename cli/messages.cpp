@@ -1,13 +1,10 @@
 #include "cli/messages.hpp"
 
-#include <fcntl.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <cstdlib>
-#include <vector>
 
 namespace pendula::cli {
 
@@ -94,27 +91,44 @@ std::string in_quotes(std::string_view token) {
 
 std::string reason(int error) {
     switch (error) {
-        case ENOSPC: return say({"no space left on the device", "no queda espacio en el dispositivo"});
-        case EDQUOT: return say({"disk quota exceeded", "se ha superado la cuota de disco"});
-        case EFBIG: return say({"the file would be too large", "el fichero sería demasiado grande"});
-        case EACCES: return say({"permission denied", "permiso denegado"});
-        case ENOENT: return say({"no such file or directory", "no existe el fichero o el directorio"});
-        case EISDIR: return say({"it is a directory", "es un directorio"});
-        case ENOTDIR: return say({"part of the path is not a directory", "parte de la ruta no es un directorio"});
-        case EROFS: return say({"the file system is read-only", "el sistema de ficheros es de solo lectura"});
-        case EBADF: return say({"it is closed", "está cerrada"});
-        case EIO: return say({"input/output error", "error de entrada/salida"});
-        default: return say({"system error {0}", "error {0} del sistema"}, {std::to_string(error)});
+        case ENOSPC:
+            return say({"no space left on the device", "no queda espacio en el dispositivo"});
+        case EDQUOT:
+            return say({"disk quota exceeded", "se ha superado la cuota de disco"});
+        case EFBIG:
+            return say({"the file would be too large", "el fichero sería demasiado grande"});
+        case EACCES:
+            return say({"permission denied", "permiso denegado"});
+        case ENOENT:
+            return say({"no such file or directory", "no existe el fichero o el directorio"});
+        case EISDIR:
+            return say({"it is a directory", "es un directorio"});
+        case ENOTDIR:
+            return say({"part of the path is not a directory", "parte de la ruta no es un directorio"});
+        case EROFS:
+            return say({"the file system is read-only", "el sistema de ficheros es de solo lectura"});
+        case EBADF:
+            return say({"it is closed", "está cerrada"});
+        case EIO:
+            return say({"input/output error", "error de entrada/salida"});
+        default:
+            return say({"system error {0}", "error {0} del sistema"}, {std::to_string(error)});
     }
 }
 
-std::string_view nearest(std::string_view typed, const std::string_view* names, std::size_t count) {
+std::string joined(const std::vector<std::string_view>& words) {
+    std::string list;
+    for (const auto word : words) list.append(list.empty() ? "" : ", ").append(word);
+    return list;
+}
+
+std::string_view nearest(std::string_view typed, std::span<const std::string_view> names) {
     std::string_view best;
     std::size_t fewest = std::min<std::size_t>(typed.size(), typed.size() < 5 ? 2 : 3);  // as many slips are another word
-    for (std::size_t i = 0; i < count; ++i) {
-        if (const std::size_t n = slips(typed, names[i]); n < fewest) {
+    for (const auto name : names) {
+        if (const std::size_t n = slips(typed, name); n < fewest) {
             fewest = n;
-            best = names[i];
+            best = name;
         }
     }
     return best;

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <initializer_list>
+#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace pendula::cli {
 
@@ -38,7 +40,10 @@ std::string in_quotes(std::string_view token);
 /// Why a system call failed, in the language set.
 std::string reason(int error);
 
+/// The words with commas between them.
+std::string joined(const std::vector<std::string_view>& words);
+
 /// The one of the names that is the fewest typing slips away from `typed`; empty where none is near.
-std::string_view nearest(std::string_view typed, const std::string_view* names, std::size_t count);
+std::string_view nearest(std::string_view typed, std::span<const std::string_view> names);
 
 }  // namespace pendula::cli

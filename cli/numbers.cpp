@@ -25,10 +25,14 @@ Spelling spell(std::string_view text, double& value) {
 
 std::string legal(Rule rule) {
     switch (rule) {
-        case Rule::positive: return say({"it must be a number greater than 0", "debe ser un número mayor que 0"});
-        case Rule::not_negative: return say({"it must be a number not less than 0", "debe ser un número no menor que 0"});
-        case Rule::fraction: return say({"it must be a number between 0 and 1", "debe ser un número entre 0 y 1"});
-        case Rule::finite: break;
+        case Rule::positive:
+            return say({"it must be a number greater than 0", "debe ser un número mayor que 0"});
+        case Rule::not_negative:
+            return say({"it must be a number not less than 0", "debe ser un número no menor que 0"});
+        case Rule::fraction:
+            return say({"it must be a number between 0 and 1", "debe ser un número entre 0 y 1"});
+        case Rule::finite:
+            break;
     }
     return say({"it must be a finite number", "debe ser un número finito"});
 }
@@ -45,7 +49,8 @@ std::string diagnosis(std::string_view text, Rule rule) {
     std::string other(text);
     std::replace(other.begin(), other.end(), ',', '.');
     if (other != text && spell(other, value) == Spelling::good)
-        return say({"it has a decimal comma; write {0}, with a point", "tiene coma decimal; escribe {0}, con punto"}, {in_quotes(other)});
+        return say({"it has a decimal comma; write {0}, with a point", "tiene coma decimal; escribe {0}, con punto"},
+                   {in_quotes(other)});
     if (is_one_of(text, {"nan", "inf", "infinity"})) return legal(rule);
     const auto digits = text.substr(text.starts_with('-') || text.starts_with('+'));
     if (digits.starts_with("0x") || digits.starts_with("0X"))
@@ -68,7 +73,9 @@ Parsed parse_number(std::string_view text, Rule rule) {
         case Spelling::out_of_range:
             parsed.wrong = say({"its size must lie between 5e-324 and 1.8e308", "su tamaño debe estar entre 5e-324 y 1.8e308"});
             break;
-        case Spelling::bad: parsed.wrong = diagnosis(text, rule); break;
+        case Spelling::bad:
+            parsed.wrong = diagnosis(text, rule);
+            break;
     }
     return parsed;
 }

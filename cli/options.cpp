@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
+#include <span>
 
 namespace pendula::cli {
 
@@ -27,12 +28,12 @@ void refuse_both(const Options& options, std::string_view one, std::string_view 
         refuse({"{0} and {1} exclude each other", "{0} y {1} se excluyen"}, {one, other});
 }
 
-/// Names of the commands that take an option, as they are typed.
+/// The commands that take an option, as they are typed.
 std::string takers(unsigned mask) {
-    std::string names;
+    std::vector<std::string> names;
     for (const auto& [name, command] : commands)
-        if (mask & command) names += (names.empty() ? "pendula " : ", pendula ") + std::string(name);
-    return names;
+        if (mask & command) names.push_back("pendula " + std::string(name));
+    return joined({names.begin(), names.end()});
 }
 
 /// What to say of an argument that is no option of the command nor the value of one.
@@ -47,24 +48,20 @@ std::string takers(unsigned mask) {
     std::vector<std::string_view> names{"--help", "--version"};
     for (const auto& option : option_names)
         if (option.commands & command) names.push_back(option.name);
-    const auto meant = nearest(name, names.data(), names.size());
+    const auto meant = nearest(name, names);
     if (meant.empty())
-        refuse({"unknown option {0}; see pendula --help", "opción desconocida {0}; consulta pendula --help"}, {in_quotes(name)});
+        refuse({"unknown option {0}; see pendula --help", "opción desconocida {0}; consulta pendula --help"},
+               {in_quotes(name)});
     refuse({"unknown option {0}; did you mean {1}?", "opción desconocida {0}; ¿querías decir {1}?"}, {in_quotes(name), meant});
 }
 
-double number(const Options& options, std::string_view name, Rule rule, double otherwise) {
-    if (!is_given(options, name)) return otherwise;
-    const Parsed parsed = parse_number(text(options, name), rule);
+double value(const Options& options, std::string_view name, const Parsed& parsed) {
     if (!parsed.wrong.empty()) refuse_value(options, name, parsed.wrong);
     return parsed.value;
 }
 
-double angle(const Options& options, std::string_view name, std::string_view suffix, double otherwise) {
-    if (!is_given(options, name)) return otherwise;
-    const Parsed parsed = parse_angle(text(options, name), suffix);
-    if (!parsed.wrong.empty()) refuse_value(options, name, parsed.wrong);
-    return parsed.value;
+double number(const Options& options, std::string_view name, Rule rule, double otherwise) {
+    return is_given(options, name) ? value(options, name, parse_number(text(options, name), rule)) : otherwise;
 }
 
 void read_duration(const Options& options, std::string_view factor, std::string_view time, Duration& duration) {
@@ -73,21 +70,21 @@ void read_duration(const Options& options, std::string_view factor, std::string_
     if (is_given(options, time)) duration = {number(options, time, Rule::positive, 0), false};
 }
 
-std::string listed(const std::string_view* words, std::size_t count) {
-    std::string list;
-    for (std::size_t i = 0; i < count; ++i) list.append(i == 0 ? "" : ", ").append(words[i]);
-    return list;
+/// Which of the words `typed` is; `name` is the option it was typed for.
+std::size_t pick(const Options& options, std::string_view name, std::string_view typed,
+                 std::span<const std::string_view> words) {
+    const auto found = static_cast<std::size_t>(std::ranges::find(words, typed) - words.begin());
+    if (found < words.size()) return found;
+    std::string wrong =
+        say({"{0} is none of {1}", "{0} no es ninguno de {1}"}, {in_quotes(typed), joined({words.begin(), words.end()})});
+    if (const auto meant = nearest(typed, words); !meant.empty())
+        wrong += say({"; did you mean {0}?", "; ¿querías decir {0}?"}, {meant});
+    refuse_value(options, name, wrong);
 }
 
-/// Which of the words `typed` is; `name` is the option it was typed for.
-std::size_t choice(const Options& options, std::string_view name, std::string_view typed, const std::string_view* words,
-                   std::size_t count) {
-    const auto found = static_cast<std::size_t>(std::find(words, words + count, typed) - words);
-    if (found < count) return found;
-    const auto meant = nearest(typed, words, count);
-    std::string wrong = say({"{0} is none of {1}", "{0} no es ninguno de {1}"}, {in_quotes(typed), listed(words, count)});
-    if (!meant.empty()) wrong += say({"; did you mean {0}?", "; ¿querías decir {0}?"}, {meant});
-    refuse_value(options, name, wrong);
+/// Which of the words the option says; the first where it is not given.
+std::size_t choice(const Options& options, std::string_view name, std::span<const std::string_view> words) {
+    return is_given(options, name) ? pick(options, name, text(options, name), words) : 0;
 }
 
 std::vector<Column> columns(const Options& options) {
@@ -97,7 +94,7 @@ std::vector<Column> columns(const Options& options) {
         const std::size_t comma = rest.find(',');
         is_last = comma == std::string_view::npos;
         const auto word = rest.substr(0, comma);
-        const auto column = static_cast<Column>(choice(options, "--columns", word, column_names, std::size(column_names)));
+        const auto column = static_cast<Column>(pick(options, "--columns", word, column_names));
         if (std::ranges::count(chosen, column))
             refuse_value(options, "--columns", say({"{0} stands there twice", "{0} está dos veces"}, {word}));
         chosen.push_back(column);
@@ -144,7 +141,7 @@ Options parse(Command command, const std::vector<std::string>& arguments) {
             refuse({"option {0} is given twice", "la opción {0} está dos veces"}, {option_names[i].name});
     }
     constexpr std::string_view languages[] = {"en", "es"};
-    if (is_given(options, "--lang")) choice(options, "--lang", text(options, "--lang"), languages, std::size(languages));
+    choice(options, "--lang", languages);
     options.wants_help = help->count() > 0;
     options.wants_version = version->count() > 0;
     return options;
@@ -177,7 +174,9 @@ State initial_state(const Options& options) {
         refuse({"--theta0 is missing: the initial angle, as 1.5 (radians) or 90deg",
                 "falta --theta0: el ángulo inicial, como 1.5 (radianes) o 90deg"},
                {});
-    return {angle(options, "--theta0", "deg", 0), angle(options, "--omega0", "deg/s", 0)};
+    const double theta = value(options, "--theta0", parse_angle(text(options, "--theta0"), "deg"));
+    if (!is_given(options, "--omega0")) return {theta, 0};
+    return {theta, value(options, "--omega0", parse_angle(text(options, "--omega0"), "deg/s"))};
 }
 
 void read_durations(const Options& options, Statement& statement) {
@@ -187,16 +186,14 @@ void read_durations(const Options& options, Statement& statement) {
 }
 
 Method method(const Options& options) {
-    if (!is_given(options, "--method")) return Method::rk4;
     constexpr std::string_view words[] = {"rk4", "euler", "verlet", "exact"};
     constexpr Method methods[] = {Method::rk4, Method::euler, Method::verlet, Method::exact};
-    return methods[choice(options, "--method", text(options, "--method"), words, std::size(words))];
+    return methods[choice(options, "--method", words)];
 }
 
 double series_epsilon(const Options& options) {
     constexpr std::string_view words[] = {"agm", "series"};
-    const bool is_series =
-        is_given(options, "--method") && choice(options, "--method", text(options, "--method"), words, std::size(words)) == 1;
+    const bool is_series = choice(options, "--method", words) == 1;
     if (!is_series && is_given(options, "--epsilon"))
         refuse({"--epsilon goes with --method series", "--epsilon va con --method series"}, {});
     return is_series ? number(options, "--epsilon", Rule::fraction, 1e-7) : 0;
@@ -205,8 +202,7 @@ double series_epsilon(const Options& options) {
 Layout layout(const Options& options) {
     Layout chosen;
     if (is_given(options, "--columns")) chosen.columns = columns(options);
-    if (is_given(options, "--format"))
-        chosen.format = static_cast<Format>(choice(options, "--format", text(options, "--format"), format_names, std::size(format_names)));
+    chosen.format = static_cast<Format>(choice(options, "--format", format_names));
     if (is_given(options, "--precision")) chosen.precision = precision(options);
     return chosen;
 }
@@ -220,9 +216,9 @@ std::string output_path(const Options& options) {
 Language language(const std::vector<std::string>& arguments) {
     for (std::size_t i = 0; i < arguments.size(); ++i) {
         const std::string_view argument = arguments[i];
-        const std::string_view value = argument.starts_with("--lang=")                       ? argument.substr(7)
+        const std::string_view value = argument.starts_with("--lang=")                    ? argument.substr(7)
                                        : argument == "--lang" && i + 1 < arguments.size() ? std::string_view(arguments[i + 1])
-                                                                                           : "";
+                                                                                          : "";
         if (value == "es") return Language::es;
         if (value == "en") return Language::en;
     }

@@ -1,5 +1,8 @@
 #include "cli/problem.hpp"
 
+#include <algorithm>
+#include <limits>
+
 #include "cli/messages.hpp"
 #include "cli/numbers.hpp"
 #include "pendula/validate.hpp"
@@ -15,22 +18,24 @@ namespace {
 double seconds(const Duration& duration, double unit, std::string_view place, const Text& name) {
     const double time = duration.is_factor ? duration.value * unit : duration.value;
     if (!satisfies(Rule::positive, time))
-        fail(place, {"{0} of {1} s times {2} is out of the range of doubles", "{0}, de {1} s por {2}, se sale del rango de double"},
-             {say(name), shown(unit), shown(duration.value)});
+        fail(place, {"{0}, {1} times {2} s, is out of the range of doubles", "{0}, {1} por {2} s, se sale del rango de double"},
+             {say(name), shown(duration.value), shown(unit)});
     return time;
 }
 
 void require_feasible(const Schedule& schedule, std::string_view place) {
     if (schedule.is_feasible()) return;
+    constexpr double largest = std::numeric_limits<double>::max();  // a count beyond it reads as inf
     if (schedule.rows > 0x1p53)
-        fail(place,
-             {"it would print {0} rows, more than 2^53 = 9007199254740992; leave more time between them or make the run shorter",
-              "escribiría {0} filas, más de 2^53 = 9007199254740992; deja más tiempo entre ellas o acorta la simulación"},
-             {shown(schedule.rows)});
+        fail(
+            place,
+            {"it would print {0} rows, more than 2^53 = 9007199254740992; leave more time between them or make the run shorter",
+             "escribiría {0} filas, más de 2^53 = 9007199254740992; deja más tiempo entre ellas o acorta la simulación"},
+            {shown(std::min(schedule.rows, largest))});
     fail(place,
          {"it would take {0} steps, more than 2^53 = 9007199254740992; make them longer or the run shorter",
           "daría {0} pasos, más de 2^53 = 9007199254740992; alárgalos o acorta la simulación"},
-         {shown(schedule.steps())});
+         {shown(std::min(schedule.steps(), largest))});
 }
 
 }  // namespace

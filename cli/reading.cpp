@@ -27,8 +27,9 @@ bool fill(Tokens& tokens) {
         count = ::read(STDIN_FILENO, tokens.buffer.get(), capacity);
     } while (count < 0 && (errno == EINTR || errno == EAGAIN));
     if (count < 0)
-        throw Failure{Status::bad_data, say({"standard input could not be read: {0}", "no se ha podido leer la entrada estándar: {0}"},
-                                            {reason(errno)})};
+        throw Failure{
+            Status::bad_data,
+            say({"standard input could not be read: {0}", "no se ha podido leer la entrada estándar: {0}"}, {reason(errno)})};
     tokens.end = static_cast<std::size_t>(count);
     const bool has_mark = is_first && std::string_view(tokens.buffer.get(), tokens.end).starts_with("\xef\xbb\xbf");
     tokens.begin = has_mark ? 3 : 0;  // the byte order mark that some editors put first
@@ -75,9 +76,9 @@ std::string take(const Field& field, const std::string& token, double* value) {
 }
 
 std::string missing(std::span<const Field> absent, const Text& where) {
-    std::string names;
-    for (const Field& field : absent) names += (names.empty() ? "" : ", ") + say(field.name);
-    return say(where) + names;
+    std::vector<std::string> names;
+    for (const Field& field : absent) names.push_back(say(field.name));
+    return say(where) + joined({names.begin(), names.end()});
 }
 
 State state(const double* values) { return {values[first_of_state], values[first_of_state + 2]}; }
@@ -118,10 +119,10 @@ std::optional<ReadProblem> read_problem(Tokens& tokens, std::size_t number) {
         } while (kind == Next::line_end);
         if (kind == Next::input_end && i == 0) return {};
         if (kind == Next::token) line = tokens.line;
-        const std::string wrong =
-            kind == Next::token
-                ? take(fields[i], tokens.token, values + i)
-                : missing(std::span(fields).subspan(i), {"the input ends too soon; missing: ", "la entrada termina antes de tiempo; falta: "});
+        const std::string wrong = kind == Next::token
+                                      ? take(fields[i], tokens.token, values + i)
+                                      : missing(std::span(fields).subspan(i), {"the input ends too soon; missing: ",
+                                                                               "la entrada termina antes de tiempo; falta: "});
         if (!wrong.empty()) throw Failure{Status::bad_data, place() + wrong};
     }
     ReadProblem read{{}, place()};
@@ -146,15 +147,15 @@ std::optional<ReadLine> read_line(Tokens& tokens) {
     std::size_t i = first_of_state;
     for (; kind == Next::token; kind = next(tokens), ++i) {
         if (!wrong.empty()) continue;
-        wrong = i < field_count ? take(fields[i], tokens.token, values + i)
-                                : say({"{0}: nothing may follow α", "{0}: tras α no puede haber nada"}, {in_quotes(tokens.token)});
+        wrong = i < field_count
+                    ? take(fields[i], tokens.token, values + i)
+                    : say({"{0}: nothing may follow α", "{0}: tras α no puede haber nada"}, {in_quotes(tokens.token)});
     }
     if (wrong.empty() && i < field_count)
-        wrong = missing(std::span(fields).subspan(i), {"the line ends too soon; missing: ", "la línea termina antes de tiempo; falta: "});
-    return ReadLine{{.alpha = values[field_count - 1]},
-                    state(values),
-                    say({"line {0}: ", "línea {0}: "}, {std::to_string(line)}),
-                    wrong};
+        wrong = missing(std::span(fields).subspan(i),
+                        {"the line ends too soon; missing: ", "la línea termina antes de tiempo; falta: "});
+    return ReadLine{
+        {.alpha = values[field_count - 1]}, state(values), say({"line {0}: ", "línea {0}: "}, {std::to_string(line)}), wrong};
 }
 
 }  // namespace pendula::cli

@@ -19,7 +19,8 @@ constexpr double step_budget = 1 << 20;  // some 30 ms of steps: how long an int
 constexpr std::size_t row_room = 512;    // eight fields of at most 12 bytes of lead and `number_room` of number
 
 /// The assignment's words where it has them.
-constexpr std::string_view text_headers[] = {"t", "angulo", "velocidad", "funcionSinusoidal", "exact", "error", "energy", "turns"};
+constexpr std::string_view text_headers[] = {"t",     "angulo", "velocidad", "funcionSinusoidal",
+                                             "exact", "error",  "energy",    "turns"};
 
 std::vector<Column> columns_of(const Layout& layout, Regime regime) {
     if (!layout.columns.empty()) return layout.columns;
@@ -76,14 +77,22 @@ void compute_exact(Block& at_hand, std::size_t n, const Exact& solution) {
 double field(Column column, const Block& at_hand, std::size_t i, const Trajectory& run) {
     const Sample& row = at_hand.rows[i];
     switch (column) {
-        case Column::t: return row.t;
-        case Column::theta: return row.theta;
-        case Column::omega: return row.omega;
-        case Column::sine: return sinusoid(run.solution, row.t);
-        case Column::exact: return at_hand.theta[i];
-        case Column::error: return wrap(row.theta - at_hand.theta[i]);
-        case Column::energy: return energy(run.problem.pendulum.alpha, {row.theta, row.omega});
-        case Column::turns: return row.turns;
+        case Column::t:
+            return row.t;
+        case Column::theta:
+            return row.theta;
+        case Column::omega:
+            return row.omega;
+        case Column::sine:
+            return sinusoid(run.solution, row.t);
+        case Column::exact:
+            return at_hand.theta[i];
+        case Column::error:
+            return wrap(row.theta - at_hand.theta[i]);
+        case Column::energy:
+            return energy(run.problem.pendulum.alpha, {row.theta, row.omega});
+        case Column::turns:
+            return row.turns;
     }
     return NAN;
 }

@@ -22,7 +22,7 @@ void write_to_terminal(const std::string& text) {
 
 void catch_interruptions() {
     for (const int signal : {SIGINT, SIGTERM}) {
-        struct sigaction former {}, action {};
+        struct sigaction former{}, action{};
         action.sa_handler = [](int) { was_signalled = 1; };
         action.sa_flags = static_cast<int>(SA_RESETHAND);
         sigaction(signal, nullptr, &former);

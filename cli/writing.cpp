@@ -26,11 +26,12 @@ constexpr std::size_t capacity = 1 << 16;
 
 /// Takes `torn`, the bytes of an unfinished row, off the end of a regular file that nobody else has added to since.
 void cut(const Writer& writer, std::size_t torn) {
-    struct stat status {};
+    struct stat status{};
     const off_t end = lseek(writer.descriptor, 0, SEEK_CUR);
     if (fstat(writer.descriptor, &status) == 0 && S_ISREG(status.st_mode) && end == status.st_size)
         // A second failure leaves the file as it is; the first is what the user is told.
-        [[maybe_unused]] const int result = ftruncate(writer.descriptor, end - static_cast<off_t>(torn));
+        [[maybe_unused]]
+        const int result = ftruncate(writer.descriptor, end - static_cast<off_t>(torn));
 }
 
 /// A descriptor that others made non-blocking refuses what it has no room for.

@@ -79,10 +79,10 @@ PROBLEMS = [
         "1 1e-20 1 90 s 0 r 1",
         FIRST + "it would print 1e+20 rows, more than 2^53 = 9007199254740992; leave more time between them or make the run shorter",
     ),
-    ("1 1e-300 1e300 90 s 0 r 1", FIRST + "it would print inf rows, more than 2^53"),
-    ("1 1 1e308 90 s 0 r 1e-10", FIRST + "the length of the run of 741630 s times 1e+308 is out of the range of doubles"),
+    ("1 1e-300 1e300 90 s 0 r 1", FIRST + "it would print 1.79769e+308 rows, more than 2^53"),
+    ("1 1 1e308 90 s 0 r 1e-10", FIRST + "the length of the run, 1e+308 times 741630 s, is out of the range of doubles"),
     ("1e-200 1 1 90 s 0 r 1", FIRST + "it would take 1e+200 steps"),
-    ("1e-200 1 1 90 s 0 r 1e300", FIRST + "the step of 7.4163e-150 s times 1e-200 is out of the range of doubles"),
+    ("1e-200 1 1 90 s 0 r 1e300", FIRST + "the step, 1e-200 times 7.4163e-150 s, is out of the range of doubles"),
 ]
 
 OPTIONS = [

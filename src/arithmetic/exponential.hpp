@@ -32,7 +32,7 @@ inline T log_of_parts(T f, T correction, T n) {
     return n * ln2_parts[0] - ((half - tail) - f);
 }
 
-/// A positive number as m 2^n with m in [sqrt(1/2), sqrt(2)).
+/// |x| as m 2^n with m in [sqrt(1/2), sqrt(2)).
 template <class T>
 struct Binade {
     T m;
@@ -41,8 +41,9 @@ struct Binade {
 
 template <class T>
 inline Binade<T> to_binade(T x) {
-    const auto is_small = x < 0x1p-1022;
-    const auto b = bits(select(is_small, x * 0x1p54, x)) - 0x3fe6a09e667f3bcd;  // sqrt(1/2)
+    const T a = abs(x);
+    const auto is_small = a < 0x1p-1022;
+    const auto b = bits(select(is_small, a * 0x1p54, a)) - 0x3fe6a09e667f3bcd;  // sqrt(1/2)
     const T n = from_bits<T>((b >> 52) + bits(splat<T>(rounder))) - rounder;
     return {from_bits<T>((b & 0xfffffffffffff) + 0x3fe6a09e667f3bcd), n - select(is_small, splat<T>(54.0), T{})};
 }

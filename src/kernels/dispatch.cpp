@@ -21,10 +21,10 @@ extern const Kernels kernels;
 
 namespace {
 
+#if defined PENDULA_HAS_AVX2 || defined PENDULA_HAS_AVX512
 const Kernels& choose() noexcept {
     const char* forced = std::getenv("PENDULA_ISA");
     const auto wants = [forced](const Kernels& k) { return !forced || std::strcmp(forced, k.name) == 0; };
-    (void)wants;  // unused where the baseline is all there is
 #ifdef PENDULA_HAS_AVX512
     if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && wants(avx512::kernels)) return avx512::kernels;
 #endif
@@ -33,6 +33,9 @@ const Kernels& choose() noexcept {
 #endif
     return baseline::kernels;
 }
+#else  // no choice, and no environment to read: a WebAssembly module imports nothing
+const Kernels& choose() noexcept { return baseline::kernels; }
+#endif
 
 }  // namespace
 

@@ -23,6 +23,12 @@ std::string shortest(double value) {
     return {digits, std::to_chars(digits, digits + sizeof digits, value).ptr};
 }
 
+void require_whole(const std::string& name, double value, double least) {
+    if (!(value >= least && value <= 0x1p53 && value == std::floor(value)))
+        throw std::invalid_argument(name + " must be a whole number from " + shortest(least) + " to 2^53, got " +
+                                    shortest(value));
+}
+
 }  // namespace
 
 bool satisfies(Rule rule, double value) noexcept {
@@ -70,6 +76,21 @@ void validate(const Problem& problem) {
         throw std::invalid_argument("method exact needs beta, torque and drive_amplitude to be 0");
     if (problem.method == Method::verlet && problem.pendulum.beta != 0)
         throw std::invalid_argument("method verlet needs beta to be 0, got " + shortest(problem.pendulum.beta));
+}
+
+void validate(const Pendulum& pendulum, const Strobe& strobe) {
+    validate(pendulum);
+    require_whole("transient", strobe.transient, 0);
+    require_whole("periods", strobe.periods, 1);
+    require_whole("steps_per_period", strobe.steps_per_period, 1);
+    require("tolerance", strobe.tolerance, Rule::fraction);
+    const double steps = (strobe.transient + strobe.periods) * strobe.steps_per_period;
+    if (steps > 0x1p53) throw std::invalid_argument("a measure must take at most 2^53 steps, got " + shortest(steps));
+    if (strobe.method != Method::rk4 && strobe.method != Method::taylor)
+        throw std::invalid_argument("method must be rk4 or taylor to measure");
+    if (strobe.method == Method::rk4 && !(strobe.steps_per_period >= fewest_steps(pendulum)))
+        throw std::invalid_argument("steps_per_period must be at least " + shortest(fewest_steps(pendulum)) +
+                                    " for rk4 to be stable, got " + shortest(strobe.steps_per_period));
 }
 
 }  // namespace pendula

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "pendula/solve.hpp"
+#include "pendula/measure.hpp"
 
 namespace pendula {
 
@@ -29,5 +29,9 @@ void validate(const Pendulum& pendulum);
 /// The same for a whole problem: parameters, initial state, schedule, and a method that can do what is asked
 /// (`exact` needs a conservative pendulum, `verlet` one without friction).
 void validate(const Problem& problem);
+
+/// The same for what the measures take of one member: parameters, counts, a method that they know, and steps short enough for
+/// `rk4` to be stable (see `fewest_steps`).
+void validate(const Pendulum& pendulum, const Strobe& strobe);
 
 }  // namespace pendula

@@ -1,0 +1,104 @@
+// Lyapunov exponents: analytic values, identities, and errors that are what they say.
+#include <random>
+
+#include "flock.hpp"
+#include "flocks.hpp"
+#include "pendula/angle.hpp"
+
+namespace {
+
+using namespace reference;
+
+constexpr double inf = INFINITY;
+
+TEST(Lyapunov, OfPeriodicOrbitsAwayFromBifurcationsIsMinusHalfTheFriction) {
+    const auto found = exponents_of(published({0.9, 1.35}), {100, 400, 200});
+    for (int i : {0, 1}) {
+        EXPECT_NEAR(found.exponent[i], -0.25, 3 * found.error[i]);
+        EXPECT_NEAR(found.exponent[i], -0.25, 0.001);
+        EXPECT_EQ(found.horizon[i], inf);
+    }
+}
+
+TEST(Lyapunov, OfChaosIsPositiveAndItsHorizonThatOfADoublesRounding) {
+    const auto found = exponents_of(published({1.15, 1.5}), {100, 500, 200});
+    for (int i : {0, 1}) {
+        EXPECT_GT(found.exponent[i], 10 * found.error[i]);
+        EXPECT_EQ(found.horizon[i], 52 * std::log(2.0) / found.exponent[i]);
+    }
+}
+
+TEST(Lyapunov, StandardErrorIsTheSpreadOverDifferentStarts) {
+    Flock flock = published({1.5});
+    flock.theta = linspace(-1, 1, 64);
+    const auto found = exponents_of(flock, {50, 320, 100});
+    double mean = 0, spread = 0, stated = 0;
+    for (double x : found.exponent) mean += x / 64;
+    for (double x : found.exponent) spread += (x - mean) * (x - mean) / 63;
+    for (double x : found.error) stated += x * x / 64;
+    EXPECT_NEAR(std::sqrt(stated / spread), 1, 0.3);  // the spread itself is uncertain by 9 %, blocks of 10 periods remember
+}
+
+TEST(Lyapunov, SumOfBothIsMinusTheFriction) {
+    // Liouville: the determinant of the tangent map shrinks like exp(-beta t).
+    std::mt19937_64 random(1);
+    std::uniform_real_distribution<double> uniform(0, 1);
+    Flock flock{{}, {}, {}, {}, {}, {}, {}, {}};
+    for (int i = 0; i < kernels::chunk_size; ++i) {
+        flock.theta.push_back(6 * uniform(random) - 3);
+        flock.omega.push_back(4 * uniform(random) - 2);
+        flock.alpha.push_back(0.5 + uniform(random));
+        flock.beta.push_back(uniform(random));
+        flock.torque.push_back(2 * uniform(random) - 1);
+        flock.drive_amplitude.push_back(2 * uniform(random));
+        flock.drive_frequency.push_back(0.5 + uniform(random));
+        flock.drive_phase.push_back(6 * uniform(random));
+    }
+    const double time = 4;
+    const std::vector<double> start(kernels::chunk_size, 0.0), h(kernels::chunk_size, time / 4000);
+    kernels::Chunk one, other;
+    load(one, flock.ensemble(), 0);
+    load(other, flock.ensemble(), 0);
+    for (int i = 0; i < kernels::chunk_size; ++i) {
+        other.tangent_theta[i] = 0;
+        other.tangent_omega[i] = 1;
+    }
+    kernels::dispatch().rk4_tangent(one, start.data(), h.data(), 0, 4000);
+    kernels::dispatch().rk4_tangent(other, start.data(), h.data(), 0, 4000);
+    for (int i = 0; i < kernels::chunk_size; ++i) {
+        const double determinant =
+            one.tangent_theta[i] * other.tangent_omega[i] - one.tangent_omega[i] * other.tangent_theta[i];
+        EXPECT_NEAR(std::log(determinant) / time, -flock.beta[i], 1e-9) << i;
+    }
+}
+
+TEST(Lyapunov, AtRestOnTopIsThatOfTheSaddle) {
+    const auto found = exponents_of({.theta = {pi}, .alpha = {9.81}, .beta = {0.3}}, {0, 2, 100}, 2);
+    const double expected = -0.15 + std::sqrt(0.15 * 0.15 + 9.81);
+    EXPECT_NEAR(found.exponent[0], expected, 1e-15 * expected);
+    EXPECT_EQ(found.history, (std::vector<double>{found.exponent[0], found.exponent[0]}));
+    EXPECT_EQ(found.error[0], 0);
+}
+
+TEST(Lyapunov, IsKnownForDrivesSoSlowThatAPeriodShrinksDisplacementsOutOfRange) {
+    const auto found =
+        exponents_of({.theta = {0.1}, .beta = {1}, .drive_amplitude = {0.1}, .drive_frequency = {0.001}}, {0, 2, 40000});
+    EXPECT_NEAR(found.exponent[0], -0.5, 0.001);
+}
+
+TEST(Lyapunov, HistoryEndsAtTheExponentAndFollowsThePeriods) {
+    const auto flock = published({0.9, 1.15});
+    const auto whole = exponents_of(flock, {10, 50, 100}, 7);
+    EXPECT_EQ(whole.history[12], whole.exponent[0]);
+    EXPECT_EQ(whole.history[13], whole.exponent[1]);
+    const auto part = exponents_of(flock, {10, 21, 100});  // floor(3 50/7)
+    EXPECT_EQ(whole.history[5], part.exponent[1]);
+}
+
+TEST(Lyapunov, HasNoErrorFromASinglePeriod) {
+    const auto found = exponents_of(published({0.9}), {10, 1, 100});
+    EXPECT_FALSE(std::isnan(found.exponent[0]));
+    EXPECT_TRUE(std::isnan(found.error[0]));
+}
+
+}  // namespace

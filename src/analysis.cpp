@@ -105,6 +105,12 @@ Analysis analyze(double alpha, State initial) noexcept {
     return {b.regime, 2 * atan2(modulus_of_oscillation(b).k.hi, complement), tau};
 }
 
+double characteristic_time(const Pendulum& p, State initial) noexcept {
+    if (is_conservative(p)) return analyze(p.alpha, initial).tau;
+    if (!is_legal(p.alpha, initial)) return nothing().tau;
+    return 2 * pi / (p.drive_amplitude != 0 ? p.drive_frequency : sqrt(p.alpha));
+}
+
 bool rests_on_top(const Pendulum& p, State initial) noexcept {
     if (p.torque != 0 || p.drive_amplitude != 0 || initial.omega != 0) return false;
     return analyze(p.alpha, initial).regime == Regime::separatrix;

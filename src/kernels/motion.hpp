@@ -2,6 +2,7 @@
 #pragma once
 
 #include "arithmetic/trigonometric.hpp"
+#include "pendula/angle.hpp"
 
 namespace pendula::kernels::inline PENDULA_ISA {
 
@@ -23,10 +24,20 @@ struct Tangent {
     T omega;
 };
 
+/// Beyond this an angle is folded by itself, with a 2 pi of as many bits as that takes; below, turns are whole and exact.
+inline constexpr double far_angle = 0x1p40;
+
 /// Takes an angle of any size into [-pi, pi): off a whole number of turns, 2 pi in two parts. Rounding may ask for a second
 /// look, at an angle that is a hair outside.
 template <class T>
 inline void fold(Motion<T>& x) {
+    for (int i = 0; any<T>(abs(x.theta) > far_angle) && i < lanes<T>; ++i) {
+        if (!(abs(lane(x.theta, i)) > far_angle)) continue;
+        const auto angle = split_turns(lane(x.theta, i));
+        lane(x.theta, i) = angle.theta;
+        lane(x.theta_lo, i) = 0;
+        lane(x.turns, i) += angle.turns;
+    }
     for (int look = 0; look < 2; ++look) {
         const auto is_outside = (x.theta >= pi_dd[0]) | (x.theta < -pi_dd[0]);
         if (!any<T>(is_outside)) return;

@@ -17,6 +17,9 @@ ctx.prec = 2400
 random.seed(20260103)
 
 
+SEARCHED = [(float.fromhex("-0x1.f9e795dcf9bacp-3"), 1.0)]  # the largest error of phase among a million
+
+
 def angles() -> list[float]:
     borders = [math.pi * k for k in (1, -1, 2, -2, 3, -3, 4, 7, -101, 1e5, 1e10, 3e14)]
     borders += [math.nextafter(x, y) for x in borders for y in (math.inf, -math.inf)]
@@ -32,7 +35,7 @@ def degrees() -> list[float]:
 def phases() -> list[tuple[float, float]]:
     edges = [s * (1 - 2.0**-k) for k in range(1, 54, 4) for s in (-1, 1)] + [1e-300, -1e-17, 0.5]
     inside = [uniform(-1, 1) for _ in range(80)] + edges + [power(-15, 0) for _ in range(20)]
-    return [(s, random.choice((1.0, -1.0, 1e-300, -1e300))) for s in inside if abs(s) < 1]
+    return [(s, random.choice((1.0, -1.0, 1e-300, -1e300))) for s in inside if abs(s) < 1] + SEARCHED
 
 
 def phase(s: float, r: float) -> arb:

@@ -87,10 +87,11 @@ SEARCHED = {
     "log1p": ["0x1.a23e9c3e117c4p-2", "-0x1.7c79241fabbb2p-2", "0x1.b71fde98d0dcbp+0"],
     "asinh": ["0x1.085ca66fc2ep-1", "0x1.f61ab8f68a61ap-3", "-0x1.1ade0f644801fp+4"],
     "atan": ["-0x1.9626cfbc9e7b8p-2", "0x1.b64ec25850b0dp-2"],
-    "sincos_of_half_turn": ["-0x1.54a42e81c5668p-3", "-0x1.58b9c822a73b6p-2"],
+    "sincos_of_half_turn": ["-0x1.54a42e81c5668p-3", "-0x1.58b9c822a73b6p-2", "-0x1.46452aa31246p-3", "-0x1.56062a09f7068p-2"],
 }
 SEARCHED_ATAN2 = [("-0x1.6158f0f5b9764p-1", "-0x1.2d41c01b81fep-2")]
-SEARCHED_RF = [("0", "0x1.fa010bcd2781dp-88", "1"), ("0x1.eabd359094297p-94", "0x1.f3090ff2eb4e3p-85", "1")]
+SEARCHED_RF = [("0", "0x1.fa010bcd2781dp-88", "1"), ("0x1.eabd359094297p-94", "0x1.f3090ff2eb4e3p-85", "1"),
+               ("0x1.069813d0d07cp-78", "0x1.83df19651a7cep-42", "1")]
 
 
 def searched(name: str) -> list[float]:

@@ -1,10 +1,10 @@
 # What a person types. Each target installs what it needs first: packages of the system by apt, Python's into .venv.
 
 run_needs = g++ cmake ninja-build libcli11-dev
-test_needs = $(run_needs) libgtest-dev pkg-config python3-venv nodejs \
+test_needs = $(bench_needs) libgtest-dev pkg-config nodejs \
 	clang-19 lld-19 libclang-rt-19-dev wasi-libc libc++-19-dev-wasm32 libc++abi-19-dev-wasm32 libclang-rt-19-dev-wasm32 \
 	qemu-user g++-aarch64-linux-gnu
-bench_needs = $(run_needs) libbenchmark-dev libboost-dev libgsl-dev
+bench_needs = $(run_needs) python3-venv libbenchmark-dev libboost-dev libgsl-dev
 figures_needs = $(run_needs) gnuplot-nox
 
 .PHONY: run test sanitize golden bench figures clean
@@ -35,6 +35,12 @@ golden: .stamps/test
 	python3 tests/bits/builds.py
 	git --no-pager diff --stat tests/bits/golden.txt
 
+# pendula beside its peers, on an otherwise idle machine; some minutes.
+bench: .stamps/bench .stamps/peers
+	cmake --preset bench
+	cmake --build --preset bench
+	.venv/bin/python bench/report.py build/bench docs/benchmarks.md
+
 figures: .stamps/figures run
 	mkdir -p docs/figures
 	gnuplot -c examples/actividad3.gp docs/figures/actividad3.svg
@@ -46,6 +52,11 @@ clean:
 	python3 -m venv .venv
 	.venv/bin/pip install --quiet uv
 	UV_PYTHON_DOWNLOADS=never .venv/bin/uv pip install --quiet --python .venv/bin/python --requirement tests/requirements.txt
+	touch $@
+
+.stamps/peers: bench/requirements.txt .stamps/bench
+	python3 -m venv .venv
+	.venv/bin/pip install --quiet --requirement bench/requirements.txt
 	touch $@
 
 .stamps/%: Makefile .ci/need

@@ -1,0 +1,72 @@
+// A number that leaves a trace of what is done to it. Kernels are templates, so it is their own text that is counted, and of it
+// what the results depend on: a compiler leaves out the rest.
+#pragma once
+
+#include <cmath>
+#include <initializer_list>
+#include <set>
+#include <vector>
+
+#include "arithmetic/pack.hpp"
+
+namespace pendula::bench {
+
+struct Operations {
+    double multiplications = 0;
+    double additions = 0;
+    double divisions = 0;
+};
+
+struct Counted {
+    struct Operation {
+        double Operations::* kind;
+        double a, b, result;
+    };
+
+    double value;
+
+    static inline std::vector<Operation> trace;
+
+    Counted() = default;
+    Counted(double x) : value(x) {}
+
+    friend Counted operator+(Counted a, Counted b) { return traced(&Operations::additions, a, b, a.value + b.value); }
+    friend Counted operator-(Counted a, Counted b) { return traced(&Operations::additions, a, b, a.value - b.value); }
+    friend Counted operator*(Counted a, Counted b) { return traced(&Operations::multiplications, a, b, a.value * b.value); }
+    friend Counted operator/(Counted a, Counted b) { return traced(&Operations::divisions, a, b, a.value / b.value); }
+    friend Counted operator-(Counted a) { return -a.value; }
+    friend bool operator<(Counted a, Counted b) { return a.value < b.value; }
+    friend bool operator<=(Counted a, Counted b) { return a.value <= b.value; }
+    friend bool operator>(Counted a, Counted b) { return a.value > b.value; }
+    friend bool operator>=(Counted a, Counted b) { return a.value >= b.value; }
+    friend bool operator==(Counted a, Counted b) { return a.value == b.value; }
+    friend bool operator!=(Counted a, Counted b) { return a.value != b.value; }
+
+  private:
+    static Counted traced(double Operations::* kind, Counted a, Counted b, double result) {
+        trace.push_back({kind, a.value, b.value, result});
+        return result;
+    }
+};
+
+/// The traced operations that results go back to. Numbers are told apart by their size, which choices and signs leave as it is.
+inline Operations operations_behind(std::initializer_list<Counted> results) {
+    std::set<double> needed;
+    for (Counted x : results) needed.insert(std::fabs(x.value));
+    Operations all;
+    for (auto operation = Counted::trace.rbegin(); operation != Counted::trace.rend(); ++operation) {
+        if (!needed.contains(std::fabs(operation->result))) continue;
+        all.*(operation->kind) += 1;
+        needed.insert({std::fabs(operation->a), std::fabs(operation->b)});
+    }
+    return all;
+}
+
+}  // namespace pendula::bench
+
+namespace pendula::arithmetic::inline PENDULA_ISA {
+template <>
+struct BitsOf<bench::Counted> {
+    using type = std::int64_t;
+};
+}  // namespace pendula::arithmetic::inline PENDULA_ISA

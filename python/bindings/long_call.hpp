@@ -30,7 +30,7 @@ class LongCall {
     }
 
   private:
-    static constexpr Py_ssize_t interval = 1 << 16;  // below 0.3 s
+    static constexpr Py_ssize_t interval = 1 << 14;  // some 0.1 s
     Py_ssize_t left_ = interval;
     std::optional<nb::gil_scoped_release> released_;
 };

@@ -3,8 +3,10 @@
 
 #include "checks.hpp"
 #include "elementwise.hpp"
+#include "measures.hpp"
 #include "over_times.hpp"
 #include "pendula/angle.hpp"
+#include "trajectories.hpp"
 
 namespace pendula::python {
 
@@ -22,6 +24,12 @@ void require_pendulums(Arrays& arrays) {
     require_all("alpha", arrays.inputs[2], Rule::positive);
 }
 
+template <class Arrays>
+void require_closed_form(Arrays& arrays) {
+    require_pendulums(arrays);
+    require_all("t", arrays.inputs[3], Rule::finite);
+}
+
 nb::tuple analyze(nb::handle theta0, nb::handle omega0, nb::handle alpha) {
     Broadcast<3, 3> arrays({theta0, omega0, alpha});
     require_pendulums(arrays);
@@ -33,23 +41,29 @@ nb::tuple analyze(nb::handle theta0, nb::handle omega0, nb::handle alpha) {
 
 nb::tuple exact(nb::handle theta0, nb::handle omega0, nb::handle alpha, nb::handle t) {
     Broadcast<4, 2> arrays({theta0, omega0, alpha, t});
-    require_pendulums(arrays);
-    require_all("t", arrays.inputs[3], Rule::finite);
-    return as_tuple(over_times<2>(arrays, [](const Exact& solution, std::size_t n, Block<2>& block) {
-        double* const theta = block.results[0];
-        double turns[Block<2>::size];
-        at(solution, n, block.t, theta, block.results[1], turns);
+    require_closed_form(arrays);
+    return as_tuple(over_times<2>(arrays, [](const Exact& solution, std::size_t n, const double* times, const Results<2>& to) {
+        double turns[block];
+        at(solution, n, times, to[0], to[1], turns);
         for (std::size_t i = 0; i < n; ++i)
-            if (turns[i] != 0) theta[i] = unwrapped({block.t[i], theta[i], 0, turns[i]});
+            if (turns[i] != 0) to[0][i] = unwrapped({times[i], to[0][i], 0, turns[i]});
+    }));
+}
+
+/// theta in [-pi, pi), omega and turns.
+nb::tuple states(nb::handle theta0, nb::handle omega0, nb::handle alpha, nb::handle t) {
+    Broadcast<4, 3> arrays({theta0, omega0, alpha, t});
+    require_closed_form(arrays);
+    return as_tuple(over_times<3>(arrays, [](const Exact& solution, std::size_t n, const double* times, const Results<3>& to) {
+        at(solution, n, times, to[0], to[1], to[2]);
     }));
 }
 
 nb::object sine(nb::handle theta0, nb::handle omega0, nb::handle alpha, nb::handle t) {
     Broadcast<4, 1> arrays({theta0, omega0, alpha, t});
-    require_pendulums(arrays);
-    require_all("t", arrays.inputs[3], Rule::finite);
-    return over_times<1>(arrays, [](const Exact& solution, std::size_t n, Block<1>& block) {
-        for (std::size_t i = 0; i < n; ++i) block.results[0][i] = sinusoid(solution, block.t[i]);
+    require_closed_form(arrays);
+    return over_times<1>(arrays, [](const Exact& solution, std::size_t n, const double* times, const Results<1>& to) {
+        for (std::size_t i = 0; i < n; ++i) to[0][i] = sinusoid(solution, times[i]);
     })[0];
 }
 
@@ -79,8 +93,11 @@ NB_MODULE(_core, module) {
     module.attr("version") = PENDULA_VERSION;
     module.def("analyze", analyze, nb::arg("theta0"), nb::arg("omega0"), nb::arg("alpha"));
     module.def("exact", exact, nb::arg("theta0"), nb::arg("omega0"), nb::arg("alpha"), nb::arg("t"));
+    module.def("states", states, nb::arg("theta0"), nb::arg("omega0"), nb::arg("alpha"), nb::arg("t"));
     module.def("sine", sine, nb::arg("theta0"), nb::arg("omega0"), nb::arg("alpha"), nb::arg("t"));
     module.def("energy", energy, nb::arg("theta"), nb::arg("omega"), nb::arg("alpha"));
     module.def("wrap", wrap, nb::arg("theta"));
     module.def("unwrap", unwrap, nb::arg("theta"), nb::arg("turns"));
+    define_trajectories(module);
+    define_measures(module);
 }

@@ -1,0 +1,94 @@
+"""Trajectories, sampled."""
+
+import math
+
+import numpy as np
+import numpy.typing as npt
+
+from pendula import _core
+from pendula._arguments import Array, Parameters, column, parameters, real, thread_count
+from pendula._solution import Solution
+from pendula._times import Times, at_intervals, at_times, one_axis
+
+METHODS = ("rk4", "euler", "verlet", "taylor", "exact")  # in the order of the core's
+
+# The assignment's factors of the characteristic time.
+DT, EVERY, UNTIL = 0.0001, 0.02, 1.0
+
+
+def solve(
+    theta0: npt.ArrayLike,
+    omega0: npt.ArrayLike,
+    *,
+    alpha: npt.ArrayLike = 1.0,
+    beta: npt.ArrayLike = 0.0,
+    torque: npt.ArrayLike = 0.0,
+    drive_amplitude: npt.ArrayLike = 0.0,
+    drive_frequency: npt.ArrayLike = 0.0,
+    drive_phase: npt.ArrayLike = 0.0,
+    t: npt.ArrayLike | None = None,
+    until: npt.ArrayLike | None = None,
+    every: npt.ArrayLike | None = None,
+    method: str = "rk4",
+    dt: npt.ArrayLike | None = None,
+    tolerance: float = 1e-15,
+    threads: int | None = None,
+) -> Solution:
+    """Solves θ'' = −α sin θ − β θ' + μ + Γ cos(Ω t + φ) and returns a `Solution`: arrays [..., time].
+
+    theta0, omega0: initial angle [rad] and angular velocity [rad/s]. alpha: stiffness α = g/l [s⁻²], positive. beta: damping β
+    [s⁻¹], not negative. torque: μ [s⁻²]. drive_amplitude: Γ [s⁻²]; drive_frequency: Ω [rad/s], positive where Γ is not 0;
+    drive_phase: φ [rad]. They broadcast; a pendulum's bits depend on its own values only, and are those of the program.
+
+    The times [s] are `t`, one axis from 0 or later, evenly spaced (any for `exact`); or from 0 to `until`, one each `every`.
+    Left out, they are the program's: 1 and 0.02 of the characteristic time. dt: longest step, 0.0001 of it where left out.
+
+    method: rk4, euler; verlet (no friction); taylor, to `tolerance` in (0, 1); exact, the closed form (no friction or forcing).
+    threads: at most so many; as many as there are processors where left out. ValueError for anything outside.
+    """
+    if method not in METHODS:
+        raise ValueError(f"method must be one of {', '.join(METHODS)}, got {method!r}")
+    if t is not None and (until is not None or every is not None):
+        raise ValueError("t cannot be given together with until or every")
+    pendulums = parameters(
+        theta0=theta0,
+        omega0=omega0,
+        alpha=alpha,
+        beta=beta,
+        torque=torque,
+        drive_amplitude=drive_amplitude,
+        drive_frequency=drive_frequency,
+        drive_phase=drive_phase,
+    )
+    _core.check(pendulums, METHODS.index(method), tolerance)
+    tau = _core.characteristic_time(pendulums)
+    step = DT * tau if dt is None else real("dt", dt)
+    if t is None:
+        between = EVERY * tau if every is None else real("every", every)
+        last = UNTIL * tau if until is None else real("until", until)
+        times = at_intervals(between, last, between if method == "exact" else step)  # the closed form takes no steps
+    elif method == "exact":
+        times = Times(one_axis(t), 0.0, 0.0, 0.0)
+    else:
+        times = at_times(one_axis(t), step)
+    if method == "exact":
+        theta, omega, turns = _core.states(**pendulums.closed_form(), t=times.t)
+    else:
+        theta, omega, turns = _rows(pendulums, times, METHODS.index(method), tolerance, thread_count(threads))
+    return Solution(times.t, theta, omega, turns, pendulums, method, step, tolerance)
+
+
+def _rows(pendulums: Parameters, times: Times, method: int, tolerance: float, threads: int) -> Array:
+    """theta, omega and turns: an array (3, ..., time)."""
+    shape = np.broadcast_shapes(pendulums.shape, np.shape(times.every), np.shape(times.steps_per_row))
+    columns = [column(values, shape) for values in (*pendulums, times.every)]
+    steps = column(times.steps_per_row, shape)
+    rows = times.t.shape[-1]
+    states = np.empty((3, rows, math.prod(shape)))
+    for count in np.unique(steps):  # the core's ensembles have one number of steps per row
+        members = np.flatnonzero(np.broadcast_to(steps == count, states.shape[-1]))
+        *chosen, every = (values if values.size == 1 else values[members] for values in columns)
+        states[..., members] = _core.solve(
+            tuple(chosen), times.first, every, members.size, rows, float(count), method, tolerance, threads
+        )
+    return np.moveaxis(states.reshape(3, rows, *shape), 1, -1)

@@ -1,0 +1,42 @@
+"""The installed package, and the program that came with it."""
+
+import json
+import subprocess
+import sysconfig
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+PROGRAM = Path(sysconfig.get_path("scripts")) / "pendula"
+
+
+@pytest.fixture(scope="session")
+def program():
+    """Runs the program and returns what it prints."""
+
+    def run(*arguments, text=""):
+        done = subprocess.run([PROGRAM, *arguments], input=text, capture_output=True, text=True, timeout=600)
+        assert (done.returncode, done.stderr) == (0, "")
+        return done.stdout
+
+    return run
+
+
+@pytest.fixture(scope="session")
+def table(program):
+    """The columns that the program prints for a problem, as doubles, by name."""
+
+    def columns(names, **options):
+        words = [word for name, value in options.items() for word in (f"--{name.replace('_', '-')}", str(value))]
+        text = program("solve", "--columns", names, "--precision", "full", "--format", "json", *words)
+        rows = [json.loads(line) for line in text.splitlines()[1:]]
+        return {name: np.array([np.nan if row[name] is None else row[name] for row in rows]) for name in names.split(",")}
+
+    return columns
+
+
+def same_bits(a, b):
+    """Whether two arrays are the same doubles: 0 and -0 differ, NaN is NaN."""
+    a, b = np.broadcast_arrays(np.asarray(a, float), np.asarray(b, float))
+    return bool(np.all((a == b) & (np.signbit(a) == np.signbit(b)) | np.isnan(a) & np.isnan(b)))

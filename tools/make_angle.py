@@ -1,17 +1,16 @@
 """Makes tests/data/angle.txt: wrapping, turns, degrees and phases.
 
-    python tools/make_angle.py > tests/data/angle.txt     (needs python-flint)
+python tools/make_angle.py > tests/data/angle.txt     (needs python-flint)
 """
 
 import math
 import random
+from fractions import Fraction
 
 from flint import arb, ctx
-
 from make_elementary import near_quarter_turns, power, uniform
 from reference_pendulum import wrap
 from reference_table import nearest, pair, text
-from fractions import Fraction
 
 ctx.prec = 2400
 random.seed(20260103)
@@ -29,7 +28,11 @@ def angles() -> list[float]:
 
 
 def degrees() -> list[float]:
-    return [90.0, 180.0, -180.0, 360.0, 45.0, 30.0, 1.0, 1e-320, 1e300] + [uniform(-360, 360) for _ in range(60)] + [power(-300, 300) for _ in range(40)]
+    return (
+        [90.0, 180.0, -180.0, 360.0, 45.0, 30.0, 1.0, 1e-320, 1e300]
+        + [uniform(-360, 360) for _ in range(60)]
+        + [power(-300, 300) for _ in range(40)]
+    )
 
 
 def phases() -> list[tuple[float, float]]:

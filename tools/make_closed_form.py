@@ -1,17 +1,15 @@
 """Makes tests/data/closed_form.txt: regime, amplitude, characteristic time and states of frictionless pendulums.
 
-    python tools/make_closed_form.py > tests/data/closed_form.txt     (needs python-flint; 512 bits)
-    python tools/make_closed_form.py --verify                         (needs mpmath: against Taylor series in time)
+python tools/make_closed_form.py > tests/data/closed_form.txt     (needs python-flint; 512 bits)
+python tools/make_closed_form.py --verify                         (needs mpmath: against Taylor series in time)
 """
 
 import math
 import random
 import sys
-from fractions import Fraction
 
 from flint import arb
-
-from reference_pendulum import OSCILLATION, ROTATION, SEPARATRIX, Solution, motion
+from reference_pendulum import SEPARATRIX, Solution, motion
 from reference_table import exact, nearest, pair, text
 
 SEED = 20260101
@@ -93,19 +91,66 @@ def fast():
 
 
 NAMED = [
-    (1.0, 0.0, 0.0), (1.0, 0.001, 0.0), (1.0, 0.5, 0.0), (1.0, 1.0, 0.0), (1.0, 1.5, 0.0), (1.0, 2.0, 0.0), (1.0, 2.5, 0.0),
-    (1.0, 3.0, 0.0), (1.0, 0.0, 2.0), (1.0, 0.0, -2.0), (1.0, 0.001, 2.0), (1.0, 0.01, 2.0), (1.0, 0.1, 2.0), (1.0, 1.0, 2.0),
-    (1.0, TOP / 2, 0.0), (1.0, 0.0, 1.999999895801368), (1.0, 0.0, 2.01), (1.0, 0.0, 2 + 1e-14), (1.0, 0.0, 2 - 1e-14),
-    (1.0, TOP, 0.0), (1.0, -TOP, 0.0), (9.8, TOP, 0.0), (1.0, 3 * TOP, 0.0), (1.0, -101 * TOP, 0.0), (1e-3, TOP, 0.0),
-    (1.0, TOP / 2, math.sqrt(2)), (1.0, -TOP / 2, math.sqrt(2)), (1.0, TOP / 2, -math.sqrt(2)), (1.0, 3.14159, 0.0),
-    (1.0, 3.1415926535, 0.0), (1.0, 2 * TOP, 0.0), (1.0, 0.0, 1e-300), (1.0, 1e-300, 0.0), (4.0, 0.0, 4.0), (0.25, 0.0, -1.0),
-    (1.0, 3.14, 2 * math.cos(1.57)), (1.0, 3.14, -2 * math.cos(1.57)), (1.0, TOP, 1e-3), (1.0, TOP, -1e-3), (1.0, -TOP, 1e-3),
-    (2.0**-1060, 1.0, 0.0), (2.0**1023, 1.0, 0.0), (2.0**-1022, 2.0, 0.0), (2.0**1000, 0.0, 2.0**501), (1.0, 1.0, 2.0**511),
+    (1.0, 0.0, 0.0),
+    (1.0, 0.001, 0.0),
+    (1.0, 0.5, 0.0),
+    (1.0, 1.0, 0.0),
+    (1.0, 1.5, 0.0),
+    (1.0, 2.0, 0.0),
+    (1.0, 2.5, 0.0),
+    (1.0, 3.0, 0.0),
+    (1.0, 0.0, 2.0),
+    (1.0, 0.0, -2.0),
+    (1.0, 0.001, 2.0),
+    (1.0, 0.01, 2.0),
+    (1.0, 0.1, 2.0),
+    (1.0, 1.0, 2.0),
+    (1.0, TOP / 2, 0.0),
+    (1.0, 0.0, 1.999999895801368),
+    (1.0, 0.0, 2.01),
+    (1.0, 0.0, 2 + 1e-14),
+    (1.0, 0.0, 2 - 1e-14),
+    (1.0, TOP, 0.0),
+    (1.0, -TOP, 0.0),
+    (9.8, TOP, 0.0),
+    (1.0, 3 * TOP, 0.0),
+    (1.0, -101 * TOP, 0.0),
+    (1e-3, TOP, 0.0),
+    (1.0, TOP / 2, math.sqrt(2)),
+    (1.0, -TOP / 2, math.sqrt(2)),
+    (1.0, TOP / 2, -math.sqrt(2)),
+    (1.0, 3.14159, 0.0),
+    (1.0, 3.1415926535, 0.0),
+    (1.0, 2 * TOP, 0.0),
+    (1.0, 0.0, 1e-300),
+    (1.0, 1e-300, 0.0),
+    (4.0, 0.0, 4.0),
+    (0.25, 0.0, -1.0),
+    (1.0, 3.14, 2 * math.cos(1.57)),
+    (1.0, 3.14, -2 * math.cos(1.57)),
+    (1.0, TOP, 1e-3),
+    (1.0, TOP, -1e-3),
+    (1.0, -TOP, 1e-3),
+    (2.0**-1060, 1.0, 0.0),
+    (2.0**1023, 1.0, 0.0),
+    (2.0**-1022, 2.0, 0.0),
+    (2.0**1000, 0.0, 2.0**501),
+    (1.0, 1.0, 2.0**511),
 ]
 
 # Cases, and whether their distance from the separatrix is to be beyond doubt: the rule is about whole ulps.
-GROUPS = [(oscillation, 300), (small, 200), (rotation, 260), (near, 420), (beyond, 160), (upright, 150), (separatrix, 170),
-          (turns, 200), (extreme, 80), (fast, 40)]
+GROUPS = [
+    (oscillation, 300),
+    (small, 200),
+    (rotation, 260),
+    (near, 420),
+    (beyond, 160),
+    (upright, 150),
+    (separatrix, 170),
+    (turns, 200),
+    (extreme, 80),
+    (fast, 40),
+]
 
 
 def is_clear(m, name: str) -> bool:
@@ -131,7 +176,9 @@ def short(t: float) -> float:
 
 
 def times(name: str, number: int, tau: float) -> list[float]:
-    factors = [uniform(-30, 30)] + ([uniform(-2, 2)] if number % 3 == 0 else []) + ([sign() * power(2, 6)] if number % 6 == 0 else [])
+    factors = (
+        [uniform(-30, 30)] + ([uniform(-2, 2)] if number % 3 == 0 else []) + ([sign() * power(2, 6)] if number % 6 == 0 else [])
+    )
     if name == "named" or number % 25 == 0:
         factors += [0, 0.25, 0.5, 1, -1 / 3, 30]
     limit = 2**1000
@@ -156,23 +203,26 @@ def table():
 
 
 def verify():
-    """Every 50th case against Taylor series of order 40 in time, over a few units of 1/sqrt(alpha), in 60 digits."""
+    """Every 50th case against Taylor series of order 40 in time, over a few units of 1/sqrt(alpha), in 70 digits."""
     from mpmath import mp, mpf
-
     from taylor_check import integrate
+
+    def as_mp(x):
+        return mpf(exact(x).numerator) / exact(x).denominator
 
     mp.dps, worst, count = 70, mpf(0), 0
     for number, (name, case) in enumerate(cases()):
         solution = Solution(*case)
-        if number % 50 and name != "named" or solution.motion.regime == SEPARATRIX:
+        if (number % 50 and name != "named") or solution.motion.regime == SEPARATRIX:
             continue
         t = 7.0 / max(math.sqrt(case[0]), abs(case[2]))
         theta, omega, n = solution.at(t)
-        as_mp = lambda x: mpf(exact(x).numerator) / exact(x).denominator
         want = as_mp(theta) + 2 * mp.pi * n
         got, speed = integrate(*map(mpf, case), mpf(t))
         size = max(abs(as_mp(solution.motion.theta_max)), mpf(0))
-        error = max(abs(got - want) / (size or 1), abs(speed - as_mp(omega)) / (2 * mp.sqrt(case[0]) * size + abs(case[2]) or 1))
+        error = max(
+            abs(got - want) / (size or 1), abs(speed - as_mp(omega)) / (2 * mp.sqrt(case[0]) * size + abs(case[2]) or 1)
+        )
         worst, count = max(worst, error), count + 1
     print(f"{count} cases, largest relative difference {mp.nstr(worst, 3)}")
 

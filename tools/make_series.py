@@ -1,15 +1,14 @@
 """Makes tests/data/series.txt: the right-hand side of the assignment's cut (3.9).
 
-    python tools/make_series.py > tests/data/series.txt     (needs python-flint)
+python tools/make_series.py > tests/data/series.txt     (needs python-flint)
 """
 
 import random
 
+from flint import arb
 from make_closed_form import NAMED, near, oscillation, rotation, small
 from reference_pendulum import OSCILLATION, SEPARATRIX, complement, energy_ratio, motion
 from reference_table import pair, text
-
-from flint import arb
 
 random.seed(20260104)
 

@@ -1,14 +1,13 @@
 """Makes tests/data/steps.txt: Euler's, Verlet's and Runge-Kutta's (3.10) methods step by step in 57 digits.
 
-    python tools/make_steps.py > tests/data/steps.txt     (needs python-flint; some minutes)
-    python tools/make_steps.py 256                        (the same text: the precision suffices)
+python tools/make_steps.py > tests/data/steps.txt     (needs python-flint; some minutes)
+python tools/make_steps.py 256                        (the same text: the precision suffices)
 """
 
 import math
 import sys
 
 from flint import arb, ctx
-
 from reference_table import pair, text
 
 ctx.prec = int(sys.argv[1]) if len(sys.argv) > 1 else 192
@@ -35,13 +34,28 @@ def rk4(a, x, w, h):
 
 # alpha, theta, omega, h; one turns by a hundred radians a step.
 PROBLEMS = [
-    (1.0, math.pi / 2, 0.0, 0.000741629870920549), (1.0, 1.0, 0.5, 0.01), (9.81, 2.5, -1.0, 0.001), (1.0, 0.0, 2.01, 0.003),
-    (4.0, 3.0, 2.0, 0.01), (1.0, 1e-9, 0.0, 0.006), (1.0, 0.0, 1e-200, 0.006), (1.0, 0.3, 0.0, 0.5), (2.0, -1.0, 0.2, 1.1),
-    (1.0, 1.0, 1000.0, 0.1), (1e6, 1.0, 3.0, 1e-5), (1e-8, 2.0, -1e-4, 31.0),
+    (1.0, math.pi / 2, 0.0, 0.000741629870920549),
+    (1.0, 1.0, 0.5, 0.01),
+    (9.81, 2.5, -1.0, 0.001),
+    (1.0, 0.0, 2.01, 0.003),
+    (4.0, 3.0, 2.0, 0.01),
+    (1.0, 1e-9, 0.0, 0.006),
+    (1.0, 0.0, 1e-200, 0.006),
+    (1.0, 0.3, 0.0, 0.5),
+    (2.0, -1.0, 0.2, 1.1),
+    (1.0, 1.0, 1000.0, 0.1),
+    (1e6, 1.0, 3.0, 1e-5),
+    (1e-8, 2.0, -1e-4, 31.0),
 ]
 # For rounding errors: a hundred periods, and as many turns, tau/10,000 each; then longer steps.
-LONG = [(1.0, math.pi / 2, 0.0, 0.000741629870920549), (1.0, 0.0, 2.5, 0.0002894), (9.81, 1.0, 0.0, 0.00021391),
-        (1.0, 2.0, 0.0, 0.00315), (1.0, 1.2, 0.4, 0.007), (1.0, -2.5, 0.0, 0.05)]
+LONG = [
+    (1.0, math.pi / 2, 0.0, 0.000741629870920549),
+    (1.0, 0.0, 2.5, 0.0002894),
+    (9.81, 1.0, 0.0, 0.00021391),
+    (1.0, 2.0, 0.0, 0.00315),
+    (1.0, 1.2, 0.4, 0.007),
+    (1.0, -2.5, 0.0, 0.05),
+]
 
 
 def table(name, method, problem, checkpoints):

@@ -45,8 +45,13 @@ def movable(alpha: float, theta: float, omega: float) -> arb:
     """What one ulp of theta, omega and alpha moves the complement by, to first and second order."""
     a, th, w = arb(alpha), arb(theta), arb(omega)
     d_theta, d_omega, d_alpha = (arb(math.ulp(x)) for x in (theta, omega, alpha))
-    return (a * abs(th.sin()) * d_theta / 2 + a * d_theta**2 / 4 + abs(w) * d_omega / 2 + d_omega**2 / 4
-            + (th / 2).cos() ** 2 * d_alpha)
+    return (
+        a * abs(th.sin()) * d_theta / 2
+        + a * d_theta**2 / 4
+        + abs(w) * d_omega / 2
+        + d_omega**2 / 4
+        + (th / 2).cos() ** 2 * d_alpha
+    )
 
 
 def energy_ratio(alpha: float, theta: float, omega: float) -> arb:
@@ -98,10 +103,10 @@ class Solution:
             self.k, k1, self.rate = 1 / kappa.sqrt(), (kappa1 / kappa).sqrt(), (a * kappa).sqrt()
             sin_phi, cos_phi, dn = s, c, w / (2 * self.rate)
         self.K = arb.pi() / (2 * arb(1).agm(k1))
-        K1 = arb.pi() / (2 * arb(1).agm(self.k))
-        self.nome_tau = acb(0, K1 / self.K)
-        F = sin_phi * acb.elliptic_rf(cos_phi**2, dn**2, 1).real  # DLMF 19.25.5
-        self.u0 = F if cos_phi >= 0 else 2 * self.K - F
+        other = arb.pi() / (2 * arb(1).agm(self.k))
+        self.nome_tau = acb(0, other / self.K)
+        integral = sin_phi * acb.elliptic_rf(cos_phi**2, dn**2, 1).real  # DLMF 19.25.5
+        self.u0 = integral if cos_phi >= 0 else 2 * self.K - integral
 
     def _jacobi(self, u: arb) -> tuple[arb, arb, arb]:
         zero = acb(0).modular_theta(self.nome_tau)

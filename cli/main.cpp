@@ -61,6 +61,11 @@ Status run(std::vector<std::string> arguments) {
             break;
         case analyzes:
             return analyze(options);
+        case sections:
+        case velocities:
+        case exponents:
+            measure(command, options);
+            break;
     }
     return Status::done;
 }

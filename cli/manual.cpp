@@ -12,6 +12,9 @@ USAGE
   pendula [OPTIONS] < problems        solve problems from standard input
   pendula solve --theta0 ANGLE ...    solve one problem given by options
   pendula analyze [OPTIONS]           regime, limit angle, characteristic time
+  pendula section [OPTIONS]           states once a period of the drive
+  pendula velocity [OPTIONS]          mean angular velocity
+  pendula lyapunov [OPTIONS]          largest Lyapunov exponent
   pendula NAME ...                    run pendula-NAME, beside pendula or on PATH
 
 PROBLEMS ON STANDARD INPUT
@@ -71,6 +74,23 @@ pendula analyze
                         period, which may need many terms            [agm]
   --epsilon E           relative error of the series                 [1e-7]
 
+pendula section, pendula velocity, pendula lyapunov
+  Measure theta'' = -alpha sin(theta) - beta theta' + N + A cos(W t + P) by rk4.
+  Each of these is a value or a range first:last:count:
+  --theta0 --omega0 --alpha --gravity --length        as in solve     [0, 0, 1]
+  --beta B --torque N                                 1/s, 1/s²       [0, 0]
+  --drive-amplitude A --drive-frequency W --drive-phase P             [0, 0, 0]
+  Ranges multiply; the last varies fastest, and in text an empty line ends it.
+  --transient N         periods of the drive that pass first; without a drive,
+                        periods of 2π/√alpha                         [200]
+  --periods N           that are measured        [100, of lyapunov 1000]
+  --steps N             of each period                               [1000]
+  --threads N           [one a processor]; results do not depend on them
+  Lines begin with the values of the ranges. Behind them come, of a section,
+  theta omega for each period, at W t + P = 2πn; or velocity (rad/s); or
+  lyapunov error horizon: the exponent (1/s), its standard error, and the time
+  (s) after which a double's rounding has grown to all there is.
+
 EXIT STATUS
   0 done   1 bad data, or a run that is too long   2 bad usage
   3 the output could not be written   130 interrupted; all rows are whole
@@ -80,6 +100,7 @@ EXAMPLES
   pendula solve --theta0 90deg --gravity 9.81 --length 0.5 --every 0.01 --until 10
   pendula solve --theta0 3 --columns t,theta,error --precision full --format csv
   pendula analyze --theta0 0 --omega0 2
+  pendula section --beta 0.5 --drive-amplitude 0.9:1.5:601 --drive-frequency 0.6667
 )",
     R"(pendula - el péndulo, exacto y paso a paso: theta'' = -alpha sen(theta)
 
@@ -87,6 +108,9 @@ USO
   pendula [OPCIONES] < problemas       resuelve problemas de la entrada estándar
   pendula solve --theta0 ÁNGULO ...    resuelve un problema dado con opciones
   pendula analyze [OPCIONES]           régimen, ángulo límite, tiempo característico
+  pendula section [OPCIONES]           estados, uno por periodo de la fuerza
+  pendula velocity [OPCIONES]          velocidad angular media
+  pendula lyapunov [OPCIONES]          mayor exponente de Lyapunov
   pendula NOMBRE ...                   ejecuta pendula-NOMBRE, junto a pendula o en PATH
 
 PROBLEMAS EN LA ENTRADA ESTÁNDAR
@@ -150,6 +174,24 @@ pendula analyze
                         periodo, que puede necesitar muchos términos  [agm]
   --epsilon E           error relativo de la serie                   [1e-7]
 
+pendula section, pendula velocity, pendula lyapunov
+  Miden theta'' = -alpha sen(theta) - beta theta' + N + A cos(W t + P) con rk4.
+  Cada una de estas es un valor o un rango primero:último:cuántos:
+  --theta0 --omega0 --alpha --gravity --length        como en solve   [0, 0, 1]
+  --beta B --torque N                                 1/s, 1/s²       [0, 0]
+  --drive-amplitude A --drive-frequency W --drive-phase P             [0, 0, 0]
+  Los rangos se multiplican; el último es el que más deprisa varía, y en texto
+  termina con una línea vacía.
+  --transient N         periodos de la fuerza que pasan antes; sin fuerza,
+                        periodos de 2π/√alpha                        [200]
+  --periods N           los que se miden         [100; de lyapunov, 1000]
+  --steps N             de cada periodo                              [1000]
+  --threads N           [uno por procesador]; los resultados no dependen de ellos
+  Las líneas empiezan por los valores de los rangos. Tras ellos van, de una
+  sección, theta omega de cada periodo, cuando W t + P = 2πn; o velocity
+  (rad/s); o lyapunov error horizon: el exponente (1/s), su error típico y el
+  tiempo (s) en que el redondeo de un double crece hasta cubrirlo todo.
+
 ESTADO DE SALIDA
   0 hecho   1 datos incorrectos, o una simulación demasiado larga
   2 uso incorrecto   3 no se ha podido escribir la salida
@@ -160,6 +202,7 @@ EJEMPLOS
   pendula solve --theta0 90deg --gravity 9.81 --length 0.5 --every 0.01 --until 10
   pendula solve --theta0 3 --columns t,theta,error --precision full --format csv
   pendula analyze --theta0 0 --omega0 2
+  pendula section --beta 0.5 --drive-amplitude 0.9:1.5:601 --drive-frequency 0.6667
 )"};
 
 }  // namespace

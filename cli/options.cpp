@@ -3,7 +3,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
-#include <span>
 
 namespace pendula::cli {
 
@@ -15,17 +14,6 @@ namespace {
 
 std::size_t place(std::string_view name) {
     return static_cast<std::size_t>(std::ranges::find(option_names, name, &OptionName::name) - option_names);
-}
-
-const std::string& text(const Options& options, std::string_view name) { return options.texts[place(name)]; }
-
-[[noreturn]] void refuse_value(const Options& options, std::string_view name, std::string_view wrong) {
-    throw Failure{Status::bad_usage, std::string(name) + ' ' + in_quotes(text(options, name)) + ": " + std::string(wrong)};
-}
-
-void refuse_both(const Options& options, std::string_view one, std::string_view other) {
-    if (is_given(options, one) && is_given(options, other))
-        refuse({"{0} and {1} exclude each other", "{0} y {1} se excluyen"}, {one, other});
 }
 
 /// The commands that take an option, as they are typed.
@@ -60,10 +48,6 @@ double value(const Options& options, std::string_view name, const Parsed& parsed
     return parsed.value;
 }
 
-double number(const Options& options, std::string_view name, Rule rule, double otherwise) {
-    return is_given(options, name) ? value(options, name, parse_number(text(options, name), rule)) : otherwise;
-}
-
 void read_duration(const Options& options, std::string_view factor, std::string_view time, Duration& duration) {
     refuse_both(options, factor, time);
     if (is_given(options, factor)) duration = {number(options, factor, Rule::positive, 0), true};
@@ -80,11 +64,6 @@ std::size_t pick(const Options& options, std::string_view name, std::string_view
     if (const auto meant = nearest(typed, words); !meant.empty())
         wrong += say({"; did you mean {0}?", "; ¿querías decir {0}?"}, {meant});
     refuse_value(options, name, wrong);
-}
-
-/// Which of the words the option says; the first where it is not given.
-std::size_t choice(const Options& options, std::string_view name, std::span<const std::string_view> words) {
-    return is_given(options, name) ? pick(options, name, text(options, name), words) : 0;
 }
 
 std::vector<Column> columns(const Options& options) {
@@ -140,6 +119,7 @@ Options parse(Command command, const std::vector<std::string>& arguments) {
         if (taken[i]->count() > 1)
             refuse({"option {0} is given twice", "la opción {0} está dos veces"}, {option_names[i].name});
     }
+    for (const auto* option : app.parse_order()) options.order.push_back(option->get_name());
     constexpr std::string_view languages[] = {"en", "es"};
     choice(options, "--lang", languages);
     options.wants_help = help->count() > 0;
@@ -148,6 +128,25 @@ Options parse(Command command, const std::vector<std::string>& arguments) {
 }
 
 bool is_given(const Options& options, std::string_view name) { return options.given[place(name)]; }
+
+const std::string& text(const Options& options, std::string_view name) { return options.texts[place(name)]; }
+
+void refuse_value(const Options& options, std::string_view name, std::string_view wrong) {
+    throw Failure{Status::bad_usage, std::string(name) + ' ' + in_quotes(text(options, name)) + ": " + std::string(wrong)};
+}
+
+void refuse_both(const Options& options, std::string_view one, std::string_view other) {
+    if (is_given(options, one) && is_given(options, other))
+        refuse({"{0} and {1} exclude each other", "{0} y {1} se excluyen"}, {one, other});
+}
+
+double number(const Options& options, std::string_view name, Rule rule, double otherwise) {
+    return is_given(options, name) ? value(options, name, parse_number(text(options, name), rule)) : otherwise;
+}
+
+std::size_t choice(const Options& options, std::string_view name, std::span<const std::string_view> words) {
+    return is_given(options, name) ? pick(options, name, text(options, name), words) : 0;
+}
 
 bool states_pendulum(const Options& options) {
     constexpr std::string_view names[] = {"--theta0", "--omega0", "--alpha", "--gravity", "--length"};

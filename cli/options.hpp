@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -14,43 +15,56 @@
 namespace pendula::cli {
 
 /// A bit each, so that an option says who takes it.
-enum Command : unsigned { reads = 1, solves = 2, analyzes = 4 };
+enum Command : unsigned { reads = 1, solves = 2, analyzes = 4, sections = 8, velocities = 16, exponents = 32 };
+inline constexpr unsigned measures = sections | velocities | exponents;
 
 struct CommandName {
     std::string_view name;
     Command command;
 };
-inline constexpr CommandName commands[] = {{"solve", solves}, {"analyze", analyzes}};
+inline constexpr CommandName commands[] = {
+    {"solve", solves}, {"analyze", analyzes}, {"section", sections}, {"velocity", velocities}, {"lyapunov", exponents},
+};
 
 struct OptionName {
     std::string_view name;
     unsigned commands;  ///< that take it
 };
 inline constexpr OptionName option_names[] = {
-    {"--theta0", solves | analyzes},
-    {"--omega0", solves | analyzes},
-    {"--alpha", solves | analyzes},
-    {"--gravity", solves | analyzes},
-    {"--length", solves | analyzes},
+    {"--theta0", solves | analyzes | measures},
+    {"--omega0", solves | analyzes | measures},
+    {"--alpha", solves | analyzes | measures},
+    {"--gravity", solves | analyzes | measures},
+    {"--length", solves | analyzes | measures},
+    {"--beta", measures},
+    {"--torque", measures},
+    {"--drive-amplitude", measures},
+    {"--drive-frequency", measures},
+    {"--drive-phase", measures},
+    {"--transient", measures},
+    {"--periods", measures},
+    {"--steps", measures},
+    {"--threads", measures},
     {"--dt-factor", solves},
     {"--dt", solves},
     {"--every-factor", solves},
     {"--every", solves},
     {"--until-factor", solves},
     {"--until", solves},
-    {"--method", reads | solves | analyzes},
+    {"--method", reads | solves | analyzes | measures},
     {"--epsilon", analyzes},
     {"--columns", reads | solves},
-    {"--format", reads | solves | analyzes},
-    {"--precision", reads | solves | analyzes},
-    {"--output", reads | solves | analyzes},
-    {"--lang", reads | solves | analyzes},
+    {"--format", reads | solves | analyzes | measures},
+    {"--precision", reads | solves | analyzes | measures},
+    {"--output", reads | solves | analyzes | measures},
+    {"--lang", reads | solves | analyzes | measures},
 };
 
 /// The texts of the options given, beside `option_names`.
 struct Options {
     std::array<std::string, std::size(option_names)> texts;
     std::array<bool, std::size(option_names)> given{};
+    std::vector<std::string> order;  ///< names of those given, as they came
     bool wants_help = false, wants_version = false;
 };
 
@@ -58,6 +72,14 @@ struct Options {
 Options parse(Command command, const std::vector<std::string>& arguments);
 
 bool is_given(const Options& options, std::string_view name);
+/// What was given, empty where nothing was.
+const std::string& text(const Options& options, std::string_view name);
+[[noreturn]] void refuse_value(const Options& options, std::string_view name, std::string_view wrong);
+void refuse_both(const Options& options, std::string_view one, std::string_view other);
+/// A number that satisfies the rule, or else what stands for one that is not given.
+double number(const Options& options, std::string_view name, Rule rule, double otherwise);
+/// Which of the words the option says; the first where it is not given.
+std::size_t choice(const Options& options, std::string_view name, std::span<const std::string_view> words);
 
 /// Whether any option says which pendulum, or how it starts.
 bool states_pendulum(const Options& options);

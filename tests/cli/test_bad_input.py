@@ -122,7 +122,7 @@ OPTIONS = [
     (["solve", "-x"], 'unknown option "-x"; see pendula --help'),
     (["solve", "90deg"], 'unexpected argument "90deg"; options begin with --, see pendula --help'),
     (["solve", "--epsilon", "1"], "option --epsilon belongs to pendula analyze"),
-    (["--theta0", "1"], "option --theta0 belongs to pendula solve, pendula analyze"),
+    (["--theta0", "1"], "option --theta0 belongs to pendula solve, pendula analyze, pendula section, pendula velocity, pendula lyapunov"),
     (["--lang", "fr"], '--lang "fr": "fr" is none of en, es'),
     (["analyze", "--omega0", "1"], "--theta0 is missing: the initial angle, as 1.5 (radians) or 90deg"),
     (["analyze", "--theta0", "1", "--method", "serie"], '--method "serie": "serie" is none of agm, series; did you mean series?'),

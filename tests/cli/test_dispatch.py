@@ -51,9 +51,9 @@ def test_standard_input_is_handed_on(pendula, tmp_path):
         ("slove", 'unknown command "slove"; did you mean solve?'),
         ("analyse", 'unknown command "analyse"; did you mean analyze?'),
         ("plt", 'unknown command "plt"; did you mean plot?'),
-        ("frobnicate", 'unknown command "frobnicate"; there are analyze, plot, solve'),
-        ("", 'unknown command ""; there are analyze, plot, solve'),
-        ("../plot", 'unknown command "../plot"; there are analyze, plot, solve'),
+        ("frobnicate", 'unknown command "frobnicate"; there are analyze, lyapunov, plot, section, solve, velocity'),
+        ("", 'unknown command ""; there are analyze, lyapunov, plot, section, solve, velocity'),
+        ("../plot", 'unknown command "../plot"; there are analyze, lyapunov, plot, section, solve, velocity'),
     ],
 )
 def test_a_name_that_is_nowhere_is_bad_usage_with_the_nearest(pendula, on_path, name, message):

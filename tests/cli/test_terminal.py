@@ -102,6 +102,13 @@ def test_a_long_run_shows_how_far_it_is_and_leaves_no_trace(terminal):
     at.read_until(r"left\r\x1b\[K$")
 
 
+def test_a_long_sweep_shows_how_far_it_is_too(terminal):
+    one = terminal("velocity", "--torque", "1", "--steps", "1e9", streams=("stderr",))
+    one.read_until(r"\r\x1b\[Kpendula: 0 %")
+    one.process.terminate()
+    assert one.process.wait(timeout=10) == 130
+
+
 def test_a_short_run_shows_nothing(terminal):
     at = terminal(streams=("stderr",))
     at.process.stdin.write(GOOD.encode())

@@ -46,7 +46,7 @@ class Parameters(NamedTuple):
     @property
     def shape(self) -> tuple[int, ...]:
         """The common shape; () of a single pendulum."""
-        return np.broadcast_shapes(*map(np.shape, self))
+        return broadcast_shape(*self)
 
     @property
     def is_conservative(self) -> bool:
@@ -66,11 +66,23 @@ def parameters(**values: npt.ArrayLike) -> Parameters:
     return Parameters(**{name: real(name, value) for name, value in values.items()})
 
 
+def broadcast_shape(*values: Any) -> tuple[int, ...]:
+    """The common shape of floats and arrays."""
+    return np.broadcast_shapes(*(value.shape for value in values if not isinstance(value, float)))
+
+
 def column(values: Any, shape: tuple[int, ...]) -> Any:
-    """Values broadcast to `shape`, one behind the other; a single one stays alone."""
-    if np.size(values) == 1:
-        return np.reshape(values, 1)
+    """Values broadcast to `shape`, one behind the other; a single one as a float."""
+    if isinstance(values, float):
+        return values
+    if values.size == 1:
+        return values.item()
     return np.require(np.broadcast_to(values, shape).reshape(-1), requirements=["C", "A"])
+
+
+def chosen_members(values: Any, members: npt.NDArray[np.intp]) -> Any:
+    """Those values of a column that belong to some members."""
+    return values if isinstance(values, float) else values[members]
 
 
 def along_time(values: Any) -> Any:

@@ -1,12 +1,13 @@
 """Trajectories, sampled."""
 
 import math
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
 from pendula import _core
-from pendula._arguments import Array, Parameters, column, parameters, real, thread_count
+from pendula._arguments import Array, Parameters, broadcast_shape, chosen_members, column, parameters, real, thread_count
 from pendula._solution import Solution
 from pendula._times import Times, at_intervals, at_times, one_axis
 
@@ -80,15 +81,21 @@ def solve(
 
 def _rows(pendulums: Parameters, times: Times, method: int, tolerance: float, threads: int) -> Array:
     """theta, omega and turns: an array (3, ..., time)."""
-    shape = np.broadcast_shapes(pendulums.shape, np.shape(times.every), np.shape(times.steps_per_row))
-    columns = [column(values, shape) for values in (*pendulums, times.every)]
-    steps = column(times.steps_per_row, shape)
-    rows = times.t.shape[-1]
-    states = np.empty((3, rows, math.prod(shape)))
-    for count in np.unique(steps):  # the core's ensembles have one number of steps per row
-        members = np.flatnonzero(np.broadcast_to(steps == count, states.shape[-1]))
-        *chosen, every = (values if values.size == 1 else values[members] for values in columns)
-        states[..., members] = _core.solve(
-            tuple(chosen), times.first, every, members.size, rows, float(count), method, tolerance, threads
-        )
+    shape = broadcast_shape(*pendulums, times.every, times.steps_per_row)
+    *columns, intervals = (column(values, shape) for values in (*pendulums, times.every))
+    size, rows = math.prod(shape), times.t.shape[-1]
+
+    def solve_all(columns: list[Any], every: Any, size: int, steps: float) -> Array:
+        states: Array = _core.solve(tuple(columns), times.first, every, size, rows, steps, method, tolerance, threads)
+        return states
+
+    if isinstance(times.steps_per_row, float):
+        states = solve_all(columns, intervals, size, times.steps_per_row)
+    else:  # the core's ensembles have one number of steps a row
+        steps = np.broadcast_to(times.steps_per_row, shape).reshape(-1)
+        states = np.empty((3, rows, size))
+        for count in np.unique(steps):
+            members = np.flatnonzero(steps == count)
+            *chosen, every = (chosen_members(values, members) for values in (*columns, intervals))
+            states[..., members] = solve_all(chosen, every, members.size, float(count))
     return np.moveaxis(states.reshape(3, rows, *shape), 1, -1)

@@ -25,6 +25,7 @@ UNITS = {
     "drive_amplitude": "s-2",
     "drive_frequency": "rad/s",
     "drive_phase": "rad",
+    "dt": "s",
 }
 LONG_NAMES = {
     "t": "time",
@@ -39,6 +40,7 @@ LONG_NAMES = {
     "drive_amplitude": "drive's amplitude",
     "drive_frequency": "drive's angular frequency",
     "drive_phase": "drive's phase",
+    "dt": "longest step",
 }
 
 
@@ -47,34 +49,38 @@ def attributes(name: str) -> dict[str, str]:
     return {"units": UNITS[name], "long_name": LONG_NAMES[name]}
 
 
-def dimension_names(parameters: Any, ndim: int) -> list[str]:
-    """A name for each axis of pendulums: that of the one parameter that runs along it and along no other, else axis_0, …"""
-    runs = {
-        name: [axis + ndim - np.ndim(value) for axis in range(np.ndim(value)) if np.shape(value)[axis] > 1]
-        for name, value in parameters._asdict().items()
-    }
+def own_axes(value: Any, ndim: int) -> list[int]:
+    """The axes of pendulums along which a value runs."""
+    shape = np.shape(value)
+    return [axis + ndim - len(shape) for axis, length in enumerate(shape) if length != 1]
+
+
+def dimension_names(quantities: dict[str, Any], ndim: int) -> list[str]:
+    """A name for each axis of pendulums: that of the one quantity that runs along it and along no other, else axis_0, …"""
+    axes = {name: own_axes(value, ndim) for name, value in quantities.items()}
     names = []
     for axis in range(ndim):
-        along = [name for name, axes in runs.items() if axis in axes]
-        names.append(along[0] if len(along) == 1 and len(runs[along[0]]) == 1 else f"axis_{axis}")
+        along = [name for name, its_axes in axes.items() if axis in its_axes]
+        names.append(along[0] if len(along) == 1 and len(axes[along[0]]) == 1 else f"axis_{axis}")
     return names
 
 
 def dataset(solution: Solution) -> xarray.Dataset:
     """theta, omega and turns over the parameters that vary and time; those that do not vary are attributes."""
     ndim = solution.theta.ndim - 1
-    dims = dimension_names(solution.parameters, ndim)
-    time = "t" if solution.t.ndim == 1 else "row"
-    variables = {name: ((*dims, time), getattr(solution, name), attributes(name)) for name in ("theta", "omega", "turns")}
-    t_dims = (*dims[ndim - (solution.t.ndim - 1) :], time)
-    coordinates: dict[str, Any] = {"t": (t_dims, solution.t, attributes("t"))}
-    constants: dict[str, Any] = {}
-    for name, value in solution.parameters._asdict().items():
-        if np.size(value) == 1:
-            constants[name] = float(np.reshape(value, ()))
+    parameters = solution.parameters._asdict()
+    dims = dimension_names(parameters, ndim)
+    shares_times = solution.t.ndim == 1
+    time = "t" if shares_times else "row"
+    t = (time, solution.t) if shares_times else ((*dims, time), np.broadcast_to(solution.t, solution.theta.shape))
+
+    coordinates: dict[str, Any] = {"t": (*t, attributes("t"))}
+    constants: dict[str, Any] = {"method": solution.method, "tolerance": solution.tolerance, "pendula_version": version}
+    for name, value in (parameters | {"dt": solution.dt}).items():
+        axes = own_axes(value, ndim)
+        if axes:
+            coordinates[name] = ([dims[axis] for axis in axes], np.squeeze(value), attributes(name))
         else:
-            own = dims[ndim - np.ndim(value) :]
-            kept = [axis for axis in range(np.ndim(value)) if np.shape(value)[axis] > 1]
-            coordinates[name] = ([own[axis] for axis in kept], np.squeeze(value), attributes(name))
-    settings = {"method": solution.method, "tolerance": solution.tolerance, "pendula_version": version}
-    return xarray.Dataset(variables, coordinates, constants | settings)
+            constants[name] = float(np.reshape(value, ()))
+    variables = {name: ((*dims, time), getattr(solution, name), attributes(name)) for name in ("theta", "omega", "turns")}
+    return xarray.Dataset(variables, coordinates, constants)

@@ -16,7 +16,7 @@ ANGLE = 1e-14  # the closed form's stated error [rad], and of omega in its maxim
 
 
 def largest_speed(theta0, omega0, alpha):
-    return np.sqrt(omega0**2 + 4 * alpha * np.sin(theta0 / 2) ** 2)
+    return np.hypot(omega0, 2 * np.sqrt(alpha) * np.sin(theta0 / 2))
 
 
 def is_clear_of_the_separatrix(theta0, omega0, alpha):

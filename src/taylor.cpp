@@ -1,5 +1,6 @@
 #include "pendula/taylor.hpp"
 
+#include "kernels/taylor_chunk.hpp"
 #include "kernels/taylor_kernel.hpp"
 #include "pendula/angle.hpp"
 
@@ -61,6 +62,27 @@ void step(Taylor& run) noexcept {
     auto next = step_of(run);
     kernels::go_to_end(next);
     expand(run, next);
+}
+
+void kernels::start_taylor(TaylorChunk& steps, const Chunk& chunk, double tolerance, const double* t) noexcept {
+    const auto reach = taylor_reach(tolerance);
+    steps.order = reach.order;
+    steps.log2_fraction = reach.log2_fraction;
+    for (int i = 0; i < chunk_size; ++i) {
+        steps.t[i] = t[i];
+        steps.t_lo[i] = steps.length[i] = 0;
+        steps.unit[i] = 1;
+        steps.theta[i] = chunk.theta[i];
+        steps.omega[i] = chunk.omega[i];
+        steps.turns[i] = chunk.turns[i];
+        steps.theta_lo[i] = chunk.theta_lo[i];
+        steps.omega_lo[i] = chunk.omega_lo[i];
+        steps.tangent_theta[i] = chunk.tangent_theta[i];
+        steps.tangent_omega[i] = chunk.tangent_omega[i];
+        for (int k = 0; k < taylor_coefficients; ++k) steps.series[k][i] = steps.tangent_series[k][i] = 0;
+        // A step of no length: its displacement is read from the series.
+        steps.tangent_series[1][i] = chunk.tangent_omega[i];
+    }
 }
 
 bool reaches(const Taylor& run, double t) noexcept { return !((run.t - t) + (run.t_lo + run.length) < 0); }

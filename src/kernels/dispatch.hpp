@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "kernels/chunk.hpp"
+#include "kernels/taylor_chunk.hpp"
 #include "pendula/exact.hpp"
 
 namespace pendula::kernels {
@@ -17,6 +18,12 @@ struct Kernels {
     /// second moves tangent vectors as well.
     void (*rk4)(Chunk& chunk, const double* row_time, const double* h, double first, int steps);
     void (*rk4_tangent)(Chunk& chunk, const double* row_time, const double* h, double first, int steps);
+
+    /// Steps of Taylor's method of every member up to its time t, which may not be before the step that it is at; then the
+    /// chunk has the states there. At most so many steps: false when some member needs more, and the call is to be repeated.
+    /// The second moves tangent vectors as well.
+    bool (*taylor)(Chunk& chunk, TaylorChunk& steps, const double* t, int most);
+    bool (*taylor_tangent)(Chunk& chunk, TaylorChunk& steps, const double* t, int most);
 };
 
 /// The widest set that this processor has, or the one that the environment variable PENDULA_ISA names (baseline, avx2,

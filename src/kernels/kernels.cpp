@@ -65,7 +65,11 @@ void rk4(Chunk& c, const double* row_time, const double* h, double first, int st
 
 }  // namespace
 
+// In taylor_kernels.cpp.
+bool taylor(Chunk& chunk, TaylorChunk& steps, const double* t, int most);
+bool taylor_tangent(Chunk& chunk, TaylorChunk& steps, const double* t, int most);
+
 extern const Kernels kernels;
-const Kernels kernels{PENDULA_NAME(PENDULA_ISA), exact, rk4<false>, rk4<true>};
+const Kernels kernels{PENDULA_NAME(PENDULA_ISA), exact, rk4<false>, rk4<true>, taylor, taylor_tangent};
 
 }  // namespace pendula::kernels::inline PENDULA_ISA

@@ -19,11 +19,9 @@ struct TaylorReach {
     double log2_fraction;  ///< of the radius of convergence that a step goes
 };
 
-/// For a tolerance in (0, 1); below 2.3e-16 the precision of a double is what limits, and the order is the highest.
+/// For a tolerance in (0, 1); below 2.3e-16 the precision of a double is what limits.
 inline TaylorReach taylor_reach(double tolerance) {
-    const double terms = -0.5 * log(tolerance) + 3.0;
-    int order = 5;
-    while (order < taylor_order_limit && order < terms) order += 2;
+    const int order = -0.5 * log(tolerance) + 3.0 <= taylor_low_order ? taylor_low_order : taylor_order_limit;
     const double bounded = tolerance < 0x1p-52 ? 0x1p-52 : tolerance;
     // 1/16: what the polynomial leaves out is then about 1/100 of the tolerance.
     return {order, log(bounded * 0.0625) * inverse_ln2[0] / order};
@@ -123,22 +121,22 @@ inline Forces<T> taylor_forces(const TaylorPendulum<T>& p, DoubleDouble<T> t, T 
 }
 
 /// v and C from v[0] and C[0], by the way that each lane's own parameters ask for.
-template <class T>
-inline void taylor_series(const TaylorPendulum<T>& p, const Forces<T>& f, T sine, int order, Series<T>& v, Series<T>& C) {
+template <int order, class T>
+inline void taylor_series(const TaylorPendulum<T>& p, const Forces<T>& f, T sine, Series<T>& v, Series<T>& C) {
     const auto is_driven = p.drive_amplitude != 0.0;
     const auto is_steady = (p.beta != 0.0) | (p.torque != 0.0);
-    if (!any<T>(!is_driven)) return driven_series(f, sine, order, v, C);
+    if (!any<T>(!is_driven)) return driven_series<order>(f, sine, v, C);
     Series<T> driven_v{}, driven_C{};
     if (any<T>(is_driven)) {
         driven_v[0] = v[0];
         driven_C[0] = C[0];
-        driven_series(f, sine, order, driven_v, driven_C);
+        driven_series<order>(f, sine, driven_v, driven_C);
     }
     // Without friction and torque both ways give the same bits, but for signs of zeros that no result shows.
     if (any<T>(is_steady))
-        undriven_series<Forcing::steady>(f, sine, order, v, C);
+        undriven_series<Forcing::steady, order>(f, sine, v, C);
     else
-        undriven_series<Forcing::none>(f, sine, order, v, C);
+        undriven_series<Forcing::none, order>(f, sine, v, C);
     if (!any<T>(is_driven)) return;
     for (int k = 1; k <= order; ++k) {
         v[k] = select<T>(is_driven, driven_v[k], v[k]);
@@ -156,7 +154,10 @@ inline void expand(const TaylorPendulum<T>& p, TaylorReach reach, TaylorStep<T>&
     const T sine = pull * (r.sin + r.cos * step.start.theta_lo);
     C[0] = pull * (r.cos - r.sin * step.start.theta_lo);
     step.v[0] = step.start.omega * step.unit;
-    taylor_series(p, forces, sine, reach.order, step.v, C);
+    if (reach.order == taylor_order_limit)
+        taylor_series<taylor_order_limit>(p, forces, sine, step.v, C);
+    else
+        taylor_series<taylor_low_order>(p, forces, sine, step.v, C);
     // A motion that is not finite has no length.
     step.length = taylor_length(reach, step.start.theta, step.v) * step.unit + 0.0 * step.v[reach.order];
 }
@@ -195,6 +196,37 @@ template <class T>
 inline void go_to_end(TaylorStep<T>& step) {
     step.start = motion_at(step, step.length);
     step.t = step.t + step.length;
+}
+
+/// Where the step ends before time t.
+template <class T>
+inline Mask<T> ends_before(const TaylorStep<T>& step, T t) {
+    return (step.t.hi - t) + (step.t.lo + step.length) < 0.0;
+}
+
+/// A displacement at a step's start, and its theta as a polynomial in x.
+template <class T>
+struct TangentStep {
+    Tangent<T> start;
+    Series<T> u;
+};
+
+template <class T>
+inline void expand_tangent(const TaylorPendulum<T>& p, int order, T unit, const Series<T>& C, TangentStep<T>& tangent) {
+    tangent.u[0] = tangent.start.theta;
+    tangent.u[1] = tangent.start.omega * unit;
+    if (order == taylor_order_limit)
+        tangent_series<taylor_order_limit>(p.beta * unit, C, tangent.u);
+    else
+        tangent_series<taylor_low_order>(p.beta * unit, C, tangent.u);
+}
+
+/// The displacement at a time of the step, given since its start.
+template <class T>
+inline Tangent<T> tangent_at(const TangentStep<T>& tangent, T unit, T since) {
+    const T x = since / unit;
+    return {tangent.start.theta + x * tail_of_series(tangent.u, x, [](T a, int) { return a; }),
+            tail_of_series(tangent.u, x, [](T a, int k) { return a * (k + 0.0); }) / unit};
 }
 
 }  // namespace pendula::kernels::inline PENDULA_ISA

@@ -15,10 +15,11 @@ namespace pendula::kernels::inline PENDULA_ISA {
 
 using namespace arithmetic;
 
-/// The highest order; odd, as every order is.
+/// The two orders that there are; odd. The number of terms is a constant of the code: it is worth a third of the time.
+inline constexpr int taylor_low_order = 13;
 inline constexpr int taylor_order_limit = 21;
 
-/// Coefficients of the powers of time, up to `taylor_order_limit`; 0 above a lower order.
+/// Coefficients of the powers of time; 0 above the order.
 template <class T>
 using Series = T[taylor_order_limit + 1];
 
@@ -42,6 +43,11 @@ struct TwoOrders {
     T second;
 };
 
+template <class T>
+inline T pair_of(const Series<T>& x, const Series<T>& y, int j, int k) {
+    return x[j] * y[k - j] + x[k - j] * y[j];
+}
+
 /// Of x^2/2, for even k from 2 on.
 template <int k, class T>
 inline TwoOrders<T> half_square(const Series<T>& x) {
@@ -56,12 +62,7 @@ inline TwoOrders<T> half_square(const Series<T>& x) {
     return sum;
 }
 
-template <class T>
-inline T outer_pair(const Series<T>& x, const Series<T>& y, int k) {
-    return x[0] * y[k] + x[k] * y[0];
-}
-
-/// Of x y without their outer pairs, for even k from 2 on.
+/// Of x y without their outermost pairs, for even k from 2 on.
 template <int k, class T>
 inline TwoOrders<T> inner_product(const Series<T>& x, const Series<T>& y) {
     constexpr int middle = k / 2;
@@ -96,28 +97,27 @@ inline T undriven_cosine(const Forces<T>& f, T half_square, T half_square_before
 }
 
 /// Orders k and k + 1 of C and k + 2, k + 3 of v, and so on up to `order`.
-template <Forcing forcing, int k, class T>
-inline void undriven_orders(const Forces<T>& f, T half_square_before, int order, Series<T>& v, Series<T>& C) {
+template <Forcing forcing, int order, int k, class T>
+inline void undriven_orders(const Forces<T>& f, T half_square_before, Series<T>& v, Series<T>& C) {
     const auto half = half_square<k>(v);
     C[k] = undriven_cosine<forcing>(f, half.first, half_square_before, v[k - 1], k);
     C[k + 1] = undriven_cosine<forcing>(f, half.second, half.first, v[k], k + 1);
     const auto product = inner_product<k>(v, C);
-    v[k + 2] = undriven_coefficient<forcing>(f, product.first + outer_pair(v, C, k), v[k + 1], k + 2);
-    v[k + 3] = undriven_coefficient<forcing>(f, product.second + outer_pair(v, C, k + 1), v[k + 2], k + 3);
-    if constexpr (k + 3 < taylor_order_limit)
-        if (k + 3 < order) undriven_orders<forcing, k + 2>(f, half.second, order, v, C);
+    v[k + 2] = undriven_coefficient<forcing>(f, product.first + pair_of(v, C, 0, k), v[k + 1], k + 2);
+    v[k + 3] = undriven_coefficient<forcing>(f, product.second + pair_of(v, C, 0, k + 1), v[k + 2], k + 3);
+    if constexpr (k + 3 < order) undriven_orders<forcing, order, k + 2>(f, half.second, v, C);
 }
 
 /// v up to `order` from v[0], and C up to `order` - 2 from C[0].
-template <Forcing forcing, class T>
-inline void undriven_series(const Forces<T>& f, T sine, int order, Series<T>& v, Series<T>& C) {
+template <Forcing forcing, int order, class T>
+inline void undriven_series(const Forces<T>& f, T sine, Series<T>& v, Series<T>& C) {
     const T half = 0.5 * (v[0] * v[0]);
     v[1] = forcing == Forcing::none ? -sine : f.torque - sine - f.drag * v[0];
     const T next_half = v[0] * v[1];
     C[1] = undriven_cosine<forcing>(f, next_half, half, v[0], 1);
     v[2] = undriven_coefficient<forcing>(f, v[0] * C[0], v[1], 2);
-    v[3] = undriven_coefficient<forcing>(f, outer_pair(v, C, 1), v[2], 3);
-    undriven_orders<forcing, 2>(f, next_half, order, v, C);
+    v[3] = undriven_coefficient<forcing>(f, pair_of(v, C, 0, 1), v[2], 3);
+    undriven_orders<forcing, order, 2>(f, next_half, v, C);
 }
 
 /// The series of a driven motion: S and the drive with those of an undriven one.
@@ -138,46 +138,44 @@ inline void driven_coefficient(const Forces<T>& f, T v_cosine, T v_sine, int n, 
     x.v[n + 1] = (x.drive[n] - x.S[n] - f.drag * x.v[n]) * (1.0 / (n + 1));
 }
 
-template <int k, class T>
-inline void driven_orders(const Forces<T>& f, int order, DrivenSeries<T>& x) {
+template <int order, int k, class T>
+inline void driven_orders(const Forces<T>& f, DrivenSeries<T>& x) {
     const auto cosine = inner_product<k>(x.v, x.C);
     const auto sine = inner_product<k>(x.v, x.S);
-    driven_coefficient(f, cosine.first + outer_pair(x.v, x.C, k), sine.first + outer_pair(x.v, x.S, k), k + 1, x);
-    driven_coefficient(f, cosine.second + outer_pair(x.v, x.C, k + 1), sine.second + outer_pair(x.v, x.S, k + 1), k + 2, x);
-    if constexpr (k + 3 < taylor_order_limit)
-        if (k + 3 < order) driven_orders<k + 2>(f, order, x);
+    driven_coefficient(f, cosine.first + pair_of(x.v, x.C, 0, k), sine.first + pair_of(x.v, x.S, 0, k), k + 1, x);
+    driven_coefficient(f, cosine.second + pair_of(x.v, x.C, 0, k + 1), sine.second + pair_of(x.v, x.S, 0, k + 1), k + 2, x);
+    if constexpr (k + 3 < order) driven_orders<order, k + 2>(f, x);
 }
 
 /// v up to `order` from v[0], and C up to `order` - 1 from C[0].
-template <class T>
-inline void driven_series(const Forces<T>& f, T sine, int order, Series<T>& v, Series<T>& C) {
+template <int order, class T>
+inline void driven_series(const Forces<T>& f, T sine, Series<T>& v, Series<T>& C) {
     DrivenSeries<T> x{v, C, {}, {}};
     x.S[0] = sine;
     x.drive[0] = f.drive;
     x.drive[1] = f.drive_slope;
     v[1] = (f.torque + f.drive) - sine - f.drag * v[0];
     driven_coefficient(f, v[0] * C[0], v[0] * sine, 1, x);
-    driven_coefficient(f, outer_pair(v, C, 1), outer_pair(v, x.S, 1), 2, x);
-    driven_orders<2>(f, order, x);
+    driven_coefficient(f, pair_of(v, C, 0, 1), pair_of(v, x.S, 0, 1), 2, x);
+    driven_orders<order, 2>(f, x);
 }
 
 /// The linearised motion u' = w, w' = -C u - drag w: orders k + 2 and k + 3 of u and so on up to `order`.
-template <int k, class T>
-inline void tangent_orders(T drag, const Series<T>& C, int order, Series<T>& u) {
+template <int order, int k, class T>
+inline void tangent_orders(T drag, const Series<T>& C, Series<T>& u) {
     const auto product = inner_product<k>(u, C);
     const auto coefficient = [&](T sum, int n) { return sum * (-1.0 / ((n - 1) * n)) - (drag * u[n - 1]) * (1.0 / n); };
-    u[k + 2] = coefficient(product.first + outer_pair(u, C, k), k + 2);
-    u[k + 3] = coefficient(product.second + outer_pair(u, C, k + 1), k + 3);
-    if constexpr (k + 3 < taylor_order_limit)
-        if (k + 3 < order) tangent_orders<k + 2>(drag, C, order, u);
+    u[k + 2] = coefficient(product.first + pair_of(u, C, 0, k), k + 2);
+    u[k + 3] = coefficient(product.second + pair_of(u, C, 0, k + 1), k + 3);
+    if constexpr (k + 3 < order) tangent_orders<order, k + 2>(drag, C, u);
 }
 
 /// u up to `order` from u[0] and u[1].
-template <class T>
-inline void tangent_series(T drag, const Series<T>& C, int order, Series<T>& u) {
+template <int order, class T>
+inline void tangent_series(T drag, const Series<T>& C, Series<T>& u) {
     u[2] = -0.5 * (u[0] * C[0] + drag * u[1]);
-    u[3] = outer_pair(u, C, 1) * (-1.0 / 6.0) - (drag * u[2]) * (1.0 / 3.0);
-    tangent_orders<2>(drag, C, order, u);
+    u[3] = pair_of(u, C, 0, 1) * (-1.0 / 6.0) - (drag * u[2]) * (1.0 / 3.0);
+    tangent_orders<order, 2>(drag, C, u);
 }
 
 }  // namespace pendula::kernels::inline PENDULA_ISA

@@ -55,7 +55,8 @@ inline T atan2(T y, T x) {
                            select((a < 0x1p-700) & (b < 0x1p-700), splat<T>(0x1p300), splat<T>(1.0)));
     const T right = angle_in_right_half<Care::full>(b * power, a * power);
     const T left = pi_dd[0] - (right - pi_dd[1]);
-    const T angle = select(bits(x) < 0, left, right);
+    const auto is_left = (bits(x) < 0) & ((x != 0.0) | (y == 0.0));  // on the vertical, left and right are one
+    const T angle = select(is_left, left, right);
     return select((x == x) & (y == y), copy_sign(angle, y), x + y);
 }
 

@@ -28,8 +28,8 @@ inline double carlson_series(double x, double y, double mean) {
                   3.0 / 104.0 * e3 * e3 + e2 * e2 * e3 / 16.0);
 }
 
-/// R_F(x, y, z) for x, y, z >= 0, at most one of them zero, within 4 ulp (DLMF 19.16.1). From spreads of 1e-32 it takes 24
-/// duplications. N is double, or double-double for a result within 1 ulp.
+/// R_F(x, y, z) for x, y, z >= 0, at most one of them zero, within 8 ulp (DLMF 19.16.1). From spreads of 1e-32 it takes 24
+/// duplications. N is double, or double-double for a result within 3 ulp.
 template <class N>
 inline double carlson_rf(N x, N y, N z) {
     const auto rounded = [](auto v) {
@@ -45,7 +45,7 @@ inline double carlson_rf(N x, N y, N z) {
     return carlson_series(a, b, mean) / sqrt(mean);
 }
 
-/// The nome q of modulus k, from k^2 <= 1/2 and its complement k' (DLMF 20.9.2, 22.2): within 4 ulp.
+/// The nome q of modulus k, from k^2 <= 1/2 and its complement k' (DLMF 19.5.6): within 4 ulp.
 template <class T>
 inline T nome(T k_squared, T complement) {
     const T root = sqrt(complement);

@@ -82,7 +82,7 @@ inline T cos(T x) {
     return sincos(x).cos;
 }
 
-/// sin(pi f) and cos(pi f) for |f| <= 1/2 (1 + 2^-50), within 1.5 ulp; exactly 1 and 0 at 1/2.
+/// sin(pi f) and cos(pi f) for |f| <= 1/2 (1 + 2^-50), within 3 ulp; exactly 1 and 0 at 1/2.
 template <class T>
 inline SinCos<T> sincos_of_half_turn(T f) {
     const T a = abs(f);

@@ -82,3 +82,53 @@ def test_one_time_has_the_bits_of_many(start):
     many = pendula.exact(start[0], start[1], t, alpha=start[2])
     each = [pendula.exact(start[0], start[1], float(time), alpha=start[2]) for time in t]
     assert same_bits(many, np.transpose(each))
+
+
+DRIVEN = {"theta0": 0.2, "beta": 0.5, "drive_frequency": 0.7, "drive_phase": 1.0}
+SWEPT = {"torque": "0:0.2:2", "drive_amplitude": "0.9:1.5:4"}
+COUNTS = {"transient": 10, "periods": 16, "steps": 100}
+
+
+@pytest.fixture
+def swept(program):
+    """The columns that one of the program's measures prints over ranges of torque and amplitude, by name."""
+
+    def columns(measure):
+        options = [
+            word for name, value in (DRIVEN | SWEPT | COUNTS).items() for word in (f"--{name.replace('_', '-')}", str(value))
+        ]
+        header, *lines = program(measure, "--format", "csv", "--precision", "full", *options).splitlines()
+        values = np.array([line.split(",") for line in lines], float).T
+        return dict(zip(header.split(","), values, strict=True))
+
+    return columns
+
+
+def measured(function, torque, drive_amplitude):
+    counts = {"transient": 10, "periods": 16, "steps_per_period": 100}
+    return function(omega0=0.0, torque=torque, drive_amplitude=drive_amplitude, **DRIVEN, **counts)
+
+
+def test_measures_have_the_programs_numbers(swept):
+    velocity = swept("velocity")
+    lyapunov = swept("lyapunov")
+    swept_values = velocity["torque"], velocity["drive_amplitude"]
+    assert as_printed(measured(pendula.measure.mean_velocity, *swept_values), velocity["velocity"])
+    exponent, error, horizon, _ = measured(pendula.measure.lyapunov, *swept_values)
+    assert as_printed([exponent, error, horizon], [lyapunov[name] for name in ("lyapunov", "error", "horizon")])
+
+
+def test_sections_have_the_programs_points(swept):
+    points = swept("section")
+    rows = COUNTS["periods"]
+    section = measured(pendula.measure.section, points["torque"][::rows], points["drive_amplitude"][::rows])
+    assert as_printed([section.theta.ravel(), section.omega.ravel()], [points["theta"], points["omega"]])
+
+
+@pytest.mark.parametrize("method", ["rk4", "taylor"])
+def test_solve_has_the_programs_driven_pendulum(table, method):
+    parameters = DRIVEN | {"omega0": -1.0, "alpha": 1.5, "torque": 0.3, "drive_amplitude": 1.4}
+    printed = table("t,theta,omega,turns,energy", **parameters, method=method)
+    solution = pendula.solve(**parameters, method=method)
+    for name, values in printed.items():
+        assert as_printed(getattr(solution, name), values), name

@@ -51,15 +51,15 @@ double separatrix_time(const EnergyBalance& b, double omega) noexcept {
     return omega == 0 || way.hi <= 0 ? 10 / root : asinh(way.hi) / root;
 }
 
-/// The assignment's r^2 of (3.8), and 1 - r^2.
+/// The assignment's r of (3.8), and 1 - r^2.
 struct SeriesModulus {
-    double r_squared;
+    double r;
     double complement;
 };
 
-SeriesModulus series_modulus(const EnergyBalance& b) noexcept {
-    if (b.regime == Regime::oscillation) return {b.rise.hi / b.alpha, b.gap.hi / b.alpha};
-    return {b.alpha / b.rise.hi, -(b.gap / b.rise).hi};
+SeriesModulus series_modulus(const EnergyBalance& b, double alpha) noexcept {
+    if (b.regime == Regime::oscillation) return {modulus_of_oscillation(b).k.hi, b.gap.hi / b.alpha};
+    return {sqrt(alpha) / b.unit / sqrt(b.rise.hi), -(b.gap / b.rise).hi};
 }
 
 Analysis nothing() noexcept { return {Regime::oscillation, __builtin_nan(""), __builtin_nan("")}; }
@@ -126,8 +126,8 @@ double series_terms(double alpha, State initial, double epsilon) noexcept {
     if (!is_legal(alpha, initial) || !(epsilon > 0 && epsilon < 1)) return __builtin_nan("");
     const auto b = balance_energy(alpha, initial);
     if (b.regime == Regime::separatrix) return 0;
-    const auto [r_squared, complement] = series_modulus(b);
-    const double log_r_squared = r_squared < 0.5 ? log(r_squared) : log1p(-complement);
+    const auto [r, complement] = series_modulus(b, alpha);
+    const double log_r_squared = r < 0.5 ? 2 * log(r) : log1p(-complement);
     const double terms = (log(epsilon) + log(complement)) / log_r_squared;
     return terms > 0 ? -floor(-terms) : 0;
 }
@@ -139,11 +139,11 @@ Analysis analyze_by_series(double alpha, State initial, double epsilon) noexcept
     result.tau = __builtin_nan("");
     if (!(last <= series_terms_limit)) return result;
     const auto b = balance_energy(alpha, initial);
-    const double r_squared = series_modulus(b).r_squared;
+    const double r = series_modulus(b, alpha).r;
     double term = 1, sum = 1;
     for (double n = 1; n <= last; ++n) {
         const double factor = (2 * n - 1) / (2 * n);
-        term *= factor * factor * r_squared;
+        term *= (factor * r) * (factor * r);
         sum += term;
     }
     const double root = sqrt(b.regime == Regime::oscillation ? b.alpha : b.rise.hi) * b.unit;

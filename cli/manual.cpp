@@ -75,7 +75,7 @@ pendula analyze
   --epsilon E           relative error of the series                 [1e-7]
 
 pendula section, pendula velocity, pendula lyapunov
-  Measure theta'' = -alpha sin(theta) - beta theta' + N + A cos(W t + P) by rk4.
+  Measure theta'' = -alpha sin(theta) - beta theta' + N + A cos(W t + P).
   Each of these is a value or a range first:last:count:
   --theta0 --omega0 --alpha --gravity --length        as in solve     [0, 0, 1]
   --beta B --torque N                                 1/s, 1/s²       [0, 0]
@@ -84,7 +84,9 @@ pendula section, pendula velocity, pendula lyapunov
   --transient N         periods of the drive that pass first; without a drive,
                         periods of 2π/√alpha                         [200]
   --periods N           that are measured        [100, of lyapunov 1000]
-  --steps N             of each period                               [1000]
+  --method M            rk4 or taylor                                [rk4]
+  --steps N             of each period, by rk4                       [1000]
+  --tolerance E         of taylor                                    [1e-15]
   --threads N           [one a processor]; results do not depend on them
   Lines begin with the values of the ranges. Behind them come, of a section,
   theta omega for each period, at W t + P = 2πn; or velocity (rad/s); or
@@ -175,7 +177,7 @@ pendula analyze
   --epsilon E           error relativo de la serie                   [1e-7]
 
 pendula section, pendula velocity, pendula lyapunov
-  Miden theta'' = -alpha sen(theta) - beta theta' + N + A cos(W t + P) con rk4.
+  Miden theta'' = -alpha sen(theta) - beta theta' + N + A cos(W t + P).
   Cada una de estas es un valor o un rango primero:último:cuántos:
   --theta0 --omega0 --alpha --gravity --length        como en solve   [0, 0, 1]
   --beta B --torque N                                 1/s, 1/s²       [0, 0]
@@ -185,7 +187,9 @@ pendula section, pendula velocity, pendula lyapunov
   --transient N         periodos de la fuerza que pasan antes; sin fuerza,
                         periodos de 2π/√alpha                        [200]
   --periods N           los que se miden         [100; de lyapunov, 1000]
-  --steps N             de cada periodo                              [1000]
+  --method M            rk4 o taylor                                 [rk4]
+  --steps N             de cada periodo, con rk4                     [1000]
+  --tolerance E         de taylor                                    [1e-15]
   --threads N           [uno por procesador]; los resultados no dependen de ellos
   Las líneas empiezan por los valores de los rangos. Tras ellos van, de una
   sección, theta omega de cada periodo, cuando W t + P = 2πn; o velocity

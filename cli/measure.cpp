@@ -28,26 +28,34 @@ double whole(const Options& options, std::string_view name, double least, double
 }
 
 Strobe strobe(const Options& options, double periods) {
-    constexpr std::string_view words[] = {"rk4"};
-    choice(options, "--method", words);
+    constexpr std::string_view words[] = {"rk4", "taylor"};
+    const bool is_taylor = choice(options, "--method", words) == 1;
+    if (is_taylor && is_given(options, "--steps"))
+        throw Failure{Status::bad_usage, say({"--steps goes with --method rk4", "--steps va con --method rk4"})};
+    if (!is_taylor && is_given(options, "--tolerance"))
+        throw Failure{Status::bad_usage, say({"--tolerance goes with --method taylor", "--tolerance va con --method taylor"})};
     return {.transient = whole(options, "--transient", 0, 1e15, 200),
             .periods = whole(options, "--periods", 1, 1e15, periods),
-            .steps_per_period = whole(options, "--steps", 1, 1e15, 1000)};
+            .steps_per_period = whole(options, "--steps", 1, 1e15, 1000),
+            .method = is_taylor ? Method::taylor : Method::rk4,
+            .tolerance = number(options, "--tolerance", Rule::fraction, 1e-15)};
 }
 
 void require_feasible(const Sweep& swept, const Strobe& strobe) {
-    const double steps = static_cast<double>(swept.size) * (strobe.transient + strobe.periods) * strobe.steps_per_period;
-    if (steps > 0x1p53)
-        throw Failure{Status::bad_data, say({"it would take {0} steps, more than 2^53 = 9007199254740992",
-                                             "daría {0} pasos, más de 2^53 = 9007199254740992"},
-                                            {shown(steps)})};
     double fewest = 0;
     for (const auto& p : corners(swept)) fewest = std::max(fewest, fewest_steps(p));
-    if (!(strobe.steps_per_period >= fewest))
+    const bool is_rk4 = strobe.method == Method::rk4;
+    if (is_rk4 && !(strobe.steps_per_period >= fewest))
         throw Failure{Status::bad_usage,
                       say({"with so much friction or stiffness rk4 is stable from {0} steps a period on; --steps is {1}",
                            "con tanto rozamiento o rigidez, rk4 es estable desde {0} pasos por periodo; --steps es {1}"},
                           {shown(fewest), shown(strobe.steps_per_period)})};
+    const double periods = static_cast<double>(swept.size) * (strobe.transient + strobe.periods);
+    const double steps = periods * (is_rk4 ? strobe.steps_per_period : fewest);
+    if (steps > 0x1p53)
+        throw Failure{Status::bad_data, say({"it would take {0} steps, more than 2^53 = 9007199254740992",
+                                             "daría {0} pasos, más de 2^53 = 9007199254740992"},
+                                            {shown(steps)})};
 }
 
 /// One run of a command, from its options to its last row.
@@ -70,7 +78,7 @@ struct Run {
 };
 
 std::string json_head(const Run& run) {
-    std::string line = "{\"measure\":" + json_string(run.name) + ",\"method\":\"rk4\"";
+    std::string line = "{\"measure\":" + json_string(run.name);
     const auto digits = [](double value) {
         char room[number_room];
         return std::string(room, put_number(room, value, full));
@@ -78,9 +86,11 @@ std::string json_head(const Run& run) {
     const auto add = [&](std::string_view name, const std::string& text) {
         line.append(",\"").append(name).append("\":").append(text);
     };
+    add("method", json_string(method_names[static_cast<std::size_t>(run.strobe.method)]));
     add("transient", digits(run.strobe.transient));
     add("periods", digits(run.strobe.periods));
-    add("steps", digits(run.strobe.steps_per_period));
+    if (run.strobe.method == Method::rk4) add("steps", digits(run.strobe.steps_per_period));
+    if (run.strobe.method == Method::taylor) add("tolerance", digits(run.strobe.tolerance));
     for (const auto& p : run.swept.parameters) {
         const bool is_of_length = p.column == "gravity" || p.column == "length";
         if (run.swept.has_length ? p.column == "alpha" : is_of_length) continue;

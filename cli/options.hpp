@@ -45,6 +45,7 @@ inline constexpr OptionName option_names[] = {
     {"--periods", measures},
     {"--steps", measures},
     {"--threads", measures},
+    {"--tolerance", measures},
     {"--dt-factor", solves},
     {"--dt", solves},
     {"--every-factor", solves},

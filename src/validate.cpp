@@ -84,13 +84,14 @@ void validate(const Pendulum& pendulum, const Strobe& strobe) {
     require_whole("periods", strobe.periods, 1);
     require_whole("steps_per_period", strobe.steps_per_period, 1);
     require("tolerance", strobe.tolerance, Rule::fraction);
-    const double steps = (strobe.transient + strobe.periods) * strobe.steps_per_period;
-    if (steps > 0x1p53) throw std::invalid_argument("a measure must take at most 2^53 steps, got " + shortest(steps));
     if (strobe.method != Method::rk4 && strobe.method != Method::taylor)
         throw std::invalid_argument("method must be rk4 or taylor to measure");
-    if (strobe.method == Method::rk4 && !(strobe.steps_per_period >= fewest_steps(pendulum)))
-        throw std::invalid_argument("steps_per_period must be at least " + shortest(fewest_steps(pendulum)) +
-                                    " for rk4 to be stable, got " + shortest(strobe.steps_per_period));
+    const double fewest = fewest_steps(pendulum);
+    if (strobe.method == Method::rk4 && !(strobe.steps_per_period >= fewest))
+        throw std::invalid_argument("steps_per_period must be at least " + shortest(fewest) + " for rk4 to be stable, got " +
+                                    shortest(strobe.steps_per_period));
+    const double steps = (strobe.transient + strobe.periods) * (strobe.method == Method::rk4 ? strobe.steps_per_period : fewest);
+    if (steps > 0x1p53) throw std::invalid_argument("a measure must take at most 2^53 steps, got " + shortest(steps));
 }
 
 }  // namespace pendula

@@ -24,7 +24,8 @@ struct Strobe {
 double strobe_frequency(const Pendulum& pendulum) noexcept;
 
 /// The fewest steps a period with which `rk4` is stable: beta h <= 2.78 and sqrt(alpha) h <= 2.82, the bounds of its region
-/// on the two axes (Hairer & Wanner II, IV.2). Accuracy needs tens of steps for each turn and each swing.
+/// on the two axes (Hairer & Wanner II, IV.2). `taylor` takes some as many. Accuracy needs tens of steps for each turn and
+/// swing.
 double fewest_steps(const Pendulum& pendulum) noexcept;
 
 // Each of the measures below returns whether it ran to its end. A member's bits depend on its own parameters only, not on its
@@ -47,7 +48,7 @@ struct LyapunovValues {
 };
 
 /// The largest Lyapunov exponent: the mean growth, over the periods measured, of ln |(d theta, d omega/sqrt(alpha))|, where
-/// the displacement follows the linearised equation and is brought back to length 1 every period or 256 steps (Benettin et al.,
+/// the displacement follows the linearised equation and is brought back to length 1 every period, or sooner (Benettin et al.,
 /// Meccanica 15, 1980). It begins with the transient, so that it has turned to the direction that grows.
 ///
 /// The standard error is that of the mean of 32 blocks (fewer if there are fewer periods), and holds where a block is longer

@@ -85,12 +85,20 @@ def test_json_is_an_object_a_line_the_measure_first(pendula):
 
 @pytest.mark.parametrize("command, periods", [("section", "5"), ("velocity", "30"), ("lyapunov", "30")])
 def test_bits_depend_on_neither_threads_nor_instruction_set(pendula, command, periods):
-    arguments = (command, *PUBLISHED, "--drive-amplitude", "0.9:1.5:200", "--transient", "5", "--periods", periods, "--steps", "100")
-    texts = {
-        output(pendula, *arguments, "--precision", "full", "--threads", threads, env={"PENDULA_ISA": isa})
-        for threads, isa in [("1", "baseline"), ("1", "avx2"), ("2", "avx512"), ("3", "baseline"), ("7", "avx2")]
-    }
-    assert len(texts) == 1
+    arguments = (command, *PUBLISHED, "--drive-amplitude", "0.9:1.5:200", "--transient", "5", "--periods", periods)
+    for method in (("--steps", "100"), ("--method", "taylor")):
+        texts = {
+            output(pendula, *arguments, *method, "--precision", "full", "--threads", threads, env={"PENDULA_ISA": isa})
+            for threads, isa in [("1", "baseline"), ("1", "avx2"), ("2", "avx512"), ("3", "baseline"), ("7", "avx2")]
+        }
+        assert len(texts) == 1
+
+
+def test_taylor_measures_too(pendula):
+    arguments = ("section", *PUBLISHED, "--drive-amplitude", "0.9", "--periods", "1", "--precision", "full")
+    by_taylor = output(pendula, *arguments, "--method", "taylor", "--tolerance", "1e-15").splitlines()[1].split()
+    by_rk4 = output(pendula, *arguments, "--steps", "4000").splitlines()[1].split()
+    assert [float(x) for x in by_taylor] == pytest.approx([float(x) for x in by_rk4], abs=1e-11)
 
 
 def test_a_long_section_goes_on_past_what_memory_is_meant_for(pendula):
@@ -117,6 +125,8 @@ BAD = [
     (("velocity", "--steps", "2"), "rk4 is stable from 3 steps"),
     (("velocity", "--threads", "0"), "it must be a whole number from 1 to 256"),
     (("velocity", "--method", "verlet"), '"verlet" is none of'),
+    (("velocity", "--method", "taylor", "--steps", "9"), "--steps goes with --method rk4"),
+    (("velocity", "--tolerance", "1e-9"), "--tolerance goes with --method taylor"),
     (("velocity", "--gravity", "9.81"), "--gravity and --length go together"),
     (("velocity", "--until", "3"), "option --until belongs to pendula solve"),
 ]
@@ -129,7 +139,14 @@ def test_what_cannot_be_measured_is_bad_usage(pendula, arguments, message):
     assert message in done.stderr.decode() and done.stderr.count(b"\n") == 1
 
 
-@pytest.mark.parametrize("arguments", [("--steps", "1e12", "--periods", "1e12"), ("--beta", "0:1:9999999999", "--torque", "0:1:9999999999")])
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ("--steps", "1e12", "--periods", "1e12"),
+        ("--beta", "1e300", "--method", "taylor"),
+        ("--beta", "0:1:9999999999", "--torque", "0:1:9999999999"),
+    ],
+)
 def test_more_steps_or_pendulums_than_2_to_53_are_too_many(pendula, arguments):
     done = pendula("velocity", *arguments)
     assert done.returncode == 1 and done.stdout == b"" and "2^53" in done.stderr.decode()

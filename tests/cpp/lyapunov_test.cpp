@@ -20,6 +20,13 @@ TEST(Lyapunov, OfPeriodicOrbitsAwayFromBifurcationsIsMinusHalfTheFriction) {
     }
 }
 
+TEST(Lyapunov, OfTaylorIsThatOfRk4) {
+    const auto flock = published({0.9, 1.07, 1.35, 1.47});
+    const auto rk4 = exponents_of(flock, {100, 100, 500});
+    const auto taylor = exponents_of(flock, {.transient = 100, .periods = 100, .method = Method::taylor});
+    for (int i = 0; i < 4; ++i) EXPECT_NEAR(taylor.exponent[i], rk4.exponent[i], 1e-6);
+}
+
 TEST(Lyapunov, OfChaosIsPositiveAndItsHorizonThatOfADoublesRounding) {
     const auto found = exponents_of(published({1.15, 1.5}), {100, 500, 200});
     for (int i : {0, 1}) {
@@ -81,9 +88,10 @@ TEST(Lyapunov, AtRestOnTopIsThatOfTheSaddle) {
 }
 
 TEST(Lyapunov, IsKnownForDrivesSoSlowThatAPeriodShrinksDisplacementsOutOfRange) {
-    const auto found =
-        exponents_of({.theta = {0.1}, .beta = {1}, .drive_amplitude = {0.1}, .drive_frequency = {0.001}}, {0, 2, 40000});
-    EXPECT_NEAR(found.exponent[0], -0.5, 0.001);
+    for (const auto method : {Method::rk4, Method::taylor}) {
+        const Flock flock{.theta = {0.1}, .beta = {1}, .drive_amplitude = {0.1}, .drive_frequency = {0.001}};
+        EXPECT_NEAR(exponents_of(flock, {0, 2, 40000, method}).exponent[0], -0.5, 0.001);
+    }
 }
 
 TEST(Lyapunov, HistoryEndsAtTheExponentAndFollowsThePeriods) {

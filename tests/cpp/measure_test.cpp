@@ -76,11 +76,11 @@ TEST(MeanVelocity, OfLockedOrbitsIsAWholeMultipleOfTheDrivesFrequency) {
 }
 
 TEST(MeanVelocity, OverdampedTendsToTheSquareRootLaw) {
-    const double torque = 1.5, periods = 5000;
+    const double torque = 1.5, periods = 2000;
     double error = 1;
     for (double beta : {4.0, 8.0, 16.0}) {
         const double expected = std::sqrt(torque * torque - 1) / beta;
-        const double v = velocities_of({.beta = {beta}, .torque = {torque}}, {20, periods, 128})[0];
+        const double v = velocities_of({.beta = {beta}, .torque = {torque}}, {20, periods, 100})[0];
         const double of_one_turn = 2 * pi / (2 * pi * periods);  // which the time may cut
         EXPECT_LT(std::abs(v - expected) / expected, 0.3 * error + of_one_turn / expected);
         error = std::abs(v - expected) / expected;
@@ -174,6 +174,38 @@ TEST(Section, StartsAtAnyPhaseBesideMembersThatStartAtZero) {
     for (int row : {0, 1}) EXPECT_EQ(both.theta[2 * row], alone.theta[row]);
 }
 
+TEST(Section, OfTaylorIsThatOfFineSteps) {
+    Flock flock = published({0.9, 1.07, 1.35});
+    flock.drive_phase = {1};
+    const auto taylor = section_of(flock, {.transient = 20, .periods = 3, .method = Method::taylor});
+    const auto rk4 = section_of(flock, {20, 3, 8000});
+    for (int i = 0; i < 9; ++i) {
+        EXPECT_NEAR(taylor.theta[i], rk4.theta[i], 1e-9);
+        EXPECT_NEAR(taylor.omega[i], rk4.omega[i], 1e-9);
+    }
+}
+
+TEST(Orbits, OfTaylorHaveThePublishedPeriodsToo) {
+    const auto found = orbits_of(published({0.9, 1.07, 1.15, 1.35, 1.45, 1.47, 1.5}),
+                                 {.transient = 200, .periods = 64, .method = Method::taylor});
+    EXPECT_EQ(found.period, (std::vector<double>{1, 2, 0, 1, 2, 4, 0}));
+}
+
+TEST(Measures, OfTaylorHaveTheSameBitsWhateverTheNeighbours) {
+    Flock flock = published(linspace(0.9, 1.5, 75));
+    flock.drive_frequency = linspace(0.01, 1, 75);
+    const Strobe strobe{.transient = 1, .periods = 3, .method = Method::taylor};
+    const auto exponents = exponents_of(flock, strobe, 3, {1});
+    const auto again = exponents_of(flock, strobe, 3, {3});
+    EXPECT_TRUE(same_bits(again.exponent, exponents.exponent) && same_bits(again.history, exponents.history));
+    for (std::size_t i : {0u, 7u, 40u, 74u}) {
+        Flock alone = published({flock.drive_amplitude[i]});
+        alone.drive_frequency = {flock.drive_frequency[i]};
+        EXPECT_EQ(exponents_of(alone, strobe).exponent[0], exponents.exponent[i]);
+        EXPECT_EQ(section_of(alone, strobe).theta[2], section_of(flock, strobe).theta[2 * 75 + i]);
+    }
+}
+
 TEST(Measures, HaveTheSameBitsOnAnyNumberOfThreads) {
     const auto flock = published(linspace(0.9, 1.5, 201));
     const Strobe strobe{5, 8, 100};
@@ -195,16 +227,18 @@ TEST(Measures, AreNaNWhereAMemberIsNotLegalAndNowhereElse) {
     Flock flock = published({0.9, NAN, 0.9, 0.9, 0.9});
     flock.beta = {0.5, 0.5, -1, 0.5, 1e300};
     flock.drive_frequency = {2.0 / 3, 2.0 / 3, 2.0 / 3, 0, 2.0 / 3};
-    const Strobe strobe{2, 8, 100};
-    const auto v = velocities_of(flock, strobe);
-    const auto exponents = exponents_of(flock, strobe);
-    const auto found = orbits_of(flock, strobe);
-    EXPECT_EQ(v[0], velocities_of(published({0.9}), strobe)[0]);
-    EXPECT_FALSE(std::isnan(exponents.error[0]) || std::isnan(found.period[0]));
-    for (int i : {1, 2, 3, 4})
-        for (double x :
-             {v[i], exponents.exponent[i], exponents.error[i], exponents.horizon[i], found.period[i], found.theta[i]})
-            EXPECT_TRUE(std::isnan(x)) << i;
+    for (const auto method : {Method::rk4, Method::taylor}) {
+        const Strobe strobe{2, 8, 100, method};
+        const auto v = velocities_of(flock, strobe);
+        const auto exponents = exponents_of(flock, strobe);
+        const auto found = orbits_of(flock, strobe);
+        EXPECT_EQ(v[0], velocities_of(published({0.9}), strobe)[0]);
+        EXPECT_FALSE(std::isnan(exponents.error[0]) || std::isnan(found.period[0]));
+        for (int i : {1, 2, 3, 4})
+            for (double x :
+                 {v[i], exponents.exponent[i], exponents.error[i], exponents.horizon[i], found.period[i], found.theta[i]})
+                EXPECT_TRUE(std::isnan(x)) << i;
+    }
 }
 
 TEST(Measures, StopWhenTheyAreTold) {
@@ -238,6 +272,7 @@ TEST(Measures, AreRefusedWhereTheyCannotBeTaken) {
     refused(driven, {.steps_per_period = 0});
     refused(driven, {.steps_per_period = NAN});
     refused(driven, {.periods = 1e6, .steps_per_period = 1e12});
+    refused({1, 1e300, 0, 1, 2.0 / 3, 0}, {.method = Method::taylor});
     refused(driven, {.method = Method::verlet});
     EXPECT_EQ(fewest_steps({1, 0, 0, 0, 0, 0}), 3);
     EXPECT_EQ(fewest_steps({1, 1000, 0, 0, 1, 0}), std::ceil(2 * pi * 1000 / 2.78));

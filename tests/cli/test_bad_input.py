@@ -1,6 +1,10 @@
 """Bad input, a line of data each: the status, the message in both languages, and that nothing is printed."""
 
+import os
+import subprocess
+
 import pytest
+from conftest import CLEAN, PROGRAM
 
 LONG = "1" * 5000
 FIRST = "problem 1, line 1: "
@@ -204,10 +208,6 @@ def test_analyze_of_no_lines_prints_nothing(pendula):
 
 
 def test_standard_input_that_cannot_be_read_is_said_so(pendula):
-    import os
-    import subprocess
-    from conftest import CLEAN, PROGRAM
-
     directory = os.open("/", os.O_RDONLY)
     done = subprocess.run([PROGRAM], stdin=directory, capture_output=True, env=CLEAN)
     os.close(directory)

@@ -5,7 +5,7 @@ import re
 import numpy as np
 import pendula
 import pytest
-from conftest import same_bits
+from doubles import same_bits
 
 THETA = np.linspace(-3, 3, 12).reshape(3, 4)
 PLAIN = pendula.exact(THETA, 0.5, 2.0)

@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 import pendula
 import pytest
-from conftest import same_bits
+from doubles import same_bits
 
 MANY = np.linspace(0.1, 3, 2_000_000)
 LONG_CALLS = {

@@ -5,7 +5,7 @@ import re
 import numpy as np
 import pendula
 import pytest
-from conftest import same_bits
+from doubles import same_bits
 from pendula import measure
 
 DRIVEN = {"beta": 0.5, "drive_frequency": 2 / 3}

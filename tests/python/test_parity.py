@@ -5,7 +5,7 @@ from fractions import Fraction
 import numpy as np
 import pendula
 import pytest
-from conftest import same_bits
+from doubles import same_bits
 
 STARTS = {
     "at rest": (0.0, 0.0, 1.0),

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pendula
-from conftest import same_bits
+from doubles import same_bits
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import mutually_broadcastable_shapes

@@ -3,7 +3,7 @@
 import numpy as np
 import pendula
 import pytest
-from conftest import same_bits
+from doubles import same_bits
 
 xarray = pytest.importorskip("xarray")
 

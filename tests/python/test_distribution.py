@@ -1,0 +1,97 @@
+"""What people install: one version, types, no warnings, and a README that tells the truth."""
+
+import importlib.metadata
+import io
+import re
+import subprocess
+import sys
+import tarfile
+import venv
+import zipfile
+from contextlib import redirect_stdout
+from pathlib import Path
+
+import numpy as np
+import pendula
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+READMES = [ROOT / "README.md", ROOT / "README.es.md"]
+
+
+def run(*command, cwd=ROOT):
+    done = subprocess.run([*map(str, command)], cwd=cwd, capture_output=True, text=True, timeout=1800)
+    assert done.returncode == 0, f"{command}:\n{done.stdout}{done.stderr}"
+    return done.stdout + done.stderr
+
+
+def test_the_version_is_one(program):
+    stated = re.search(r"project\(pendula VERSION (\S+)", (ROOT / "CMakeLists.txt").read_text())[1]
+    assert pendula.__version__ == importlib.metadata.version("pendula") == stated
+    assert program("--version") == f"pendula {stated}\n"
+
+
+def test_numpy_is_the_only_hard_dependency():
+    requirements = importlib.metadata.requires("pendula")
+    assert [re.match(r"\w+", each)[0] for each in requirements if "extra ==" not in each] == ["numpy"]
+    assert set(importlib.metadata.metadata("pendula").get_all("Provides-Extra")) == {"plot", "xarray", "all"}
+
+
+def test_optional_packages_are_imported_only_where_used():
+    loaded = "import sys, pendula; pendula.solve(1.0, 0.0); print(*{'matplotlib', 'xarray', 'scipy'} & set(sys.modules))"
+    assert run(sys.executable, "-W", "error", "-c", loaded).strip() == ""
+
+
+def test_types_are_strict_and_the_stub_is_the_extensions():
+    pytest.importorskip("mypy")
+    run(sys.executable, "-m", "mypy", "--cache-dir", "build/mypy", "--python-executable", sys.executable)
+    run(sys.executable, "-m", "mypy.stubtest", "pendula._core")
+
+
+def test_ruff_has_nothing_to_say():
+    pytest.importorskip("ruff")
+    run(sys.executable, "-m", "ruff", "check", "--no-cache", "python", "tests/python", "bench/python_bench.py")
+    run(sys.executable, "-m", "ruff", "format", "--no-cache", "--check", "python", "tests/python", "bench/python_bench.py")
+
+
+@pytest.mark.parametrize("readme", READMES, ids=lambda path: path.name)
+def test_a_readmes_example_prints_what_it_says(readme):
+    example = re.search(r"```python\n(.*?)```", readme.read_text(), re.DOTALL)[1]
+    printed = io.StringIO()
+    with redirect_stdout(printed):
+        exec(compile(example, readme.name, "exec"), {})
+    assert printed.getvalue().splitlines() == re.findall(r"^print.*  # (.*)$", example, re.MULTILINE)
+
+
+@pytest.fixture(scope="module")
+def distributions(tmp_path_factory):
+    """(sdist, wheel), the wheel built from the sdist as `python -m build` does, and what it had to say."""
+    pytest.importorskip("build")
+    folder = tmp_path_factory.mktemp("dist")
+    said = run(sys.executable, "-m", "build", "--no-isolation", "--outdir", folder, ROOT)
+    return next(folder.glob("*.tar.gz")), next(folder.glob("*.whl")), said
+
+
+def test_building_gives_no_warnings(distributions):
+    assert not re.search(r"warning|deprecat", distributions[2], re.IGNORECASE)
+
+
+def test_distributions_hold_what_they_should(distributions):
+    sdist, wheel, _ = distributions
+    with tarfile.open(sdist) as archive:
+        sources = {"/".join(name.split("/")[1:]) for name in archive.getnames()}
+    with zipfile.ZipFile(wheel) as archive:
+        installed = set(archive.namelist())
+    assert {"pyproject.toml", "CMakeLists.txt", "LICENSE", "include/pendula/exact.hpp", "python/pendula/py.typed"} <= sources
+    assert not any(name.startswith((".ci", "build", ".venv", ".stamps")) for name in sources)
+    assert {"pendula/py.typed", "pendula/_core.pyi"} <= installed
+    assert any(name.endswith(".data/scripts/pendula") for name in installed)
+    assert not any(name.endswith((".hpp", ".cmake", ".a")) for name in installed)
+
+
+def test_a_wheel_serves_a_fresh_environment(distributions, tmp_path):
+    venv.create(tmp_path, with_pip=True)
+    run(tmp_path / "bin/pip", "install", "--quiet", distributions[1])
+    assert run(tmp_path / "bin/pendula", "--version") == f"pendula {pendula.__version__}\n"
+    angle = run(tmp_path / "bin/python", "-W", "error", "-c", "import pendula; print(pendula.exact(1.0, 0.5, 2.0)[0].hex())")
+    assert angle.strip() == np.float64(pendula.exact(1.0, 0.5, 2.0)[0]).hex()

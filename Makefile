@@ -7,6 +7,9 @@ test_needs = $(bench_needs) libgtest-dev pkg-config nodejs \
 bench_needs = $(run_needs) python3-venv libbenchmark-dev libboost-dev libgsl-dev
 figures_needs = $(run_needs) gnuplot-nox
 
+# Built under build/python, so that a second time is quick.
+install_package = .venv/bin/pip install --quiet --no-build-isolation .
+
 .PHONY: run test sanitize golden bench figures clean
 .DELETE_ON_ERROR:
 
@@ -20,6 +23,7 @@ run: .stamps/run
 test: .stamps/test .stamps/venv
 	cmake --preset dev
 	cmake --build --preset dev
+	$(install_package)
 	@status=0; \
 	ctest --preset dev || status=1; \
 	PENDULA_PROGRAM=build/dev/pendula .venv/bin/pytest tests || status=1; \
@@ -39,6 +43,7 @@ golden: .stamps/test
 bench: .stamps/bench .stamps/peers
 	cmake --preset bench
 	cmake --build --preset bench
+	$(install_package)
 	.venv/bin/python bench/report.py build/bench docs/benchmarks.md
 
 figures: .stamps/figures run

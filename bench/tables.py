@@ -37,6 +37,12 @@ TABLES = [
           {("rk4_ensemble_fine", "odeint"): 10, ("rk4_ensemble_fine", "numba"): 14}),
     Table("Threads", "A step of one of 8,192 pendulums on two threads.", "ns", 1, {"one": "one thread"},
           {"threads": "10,000 steps a period"}, {("threads", "one"): 1.9}),
+    Table("From Python",
+          "A call with one value, beside a ufunc of numpy; a value of a million; a row of 501 over ten periods by `taylor` at 1e−15 (SciPy: DOP853 "
+          "at 1e−13); a step of one of 256 pendulums by `rk4`, one thread.",
+          "ns", 1, {"ufunc": "NumPy `hypot`", "scipy": "SciPy `ellipj`, `solve_ivp`", "numba": "Numba", "heyoka": "heyoka"},
+          {"python_call": "`exact`, one value", "python_exact": "`exact`, 10⁶ values", "python_rk4": "`solve`, 256 pendulums",
+           "python_solve": "`solve`, one trajectory"}),
     Table("The whole program", "From the start of the process to its end, beside a plain student's (bench/student.cpp, `-O3 -march=native`).",
           "ms", 1e6, {"student": "student's"}, {f"program_{figure}": f"figure {figure}" for figure in ("3.1", "3.2", "3.3", "3.4")},
           {(f"program_{figure}", "student"): 50 if figure == "3.2" else 1 for figure in ("3.1", "3.2", "3.3", "3.4")}),

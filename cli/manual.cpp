@@ -6,7 +6,8 @@ namespace pendula::cli {
 namespace {
 
 constexpr Text page{
-    R"(pendula - the pendulum, exactly and step by step: theta'' = -alpha sin(theta)
+    R"(pendula - the pendulum, exactly and step by step:
+          theta'' = -alpha sin(theta) - beta theta' + N + A cos(W t + P)
 
 USAGE
   pendula [OPTIONS] < problems        solve problems from standard input
@@ -37,6 +38,11 @@ OPTIONS OF solve
   --omega0 VELOCITY     initial angular velocity: 0.2 or 10deg/s    [0]
   --alpha A             stiffness g/l, 1/s²                         [1]
   --gravity G --length L    the same as --alpha G/L
+  --beta B --torque N   friction, 1/s, and constant torque, 1/s²    [0, 0]
+  --drive-amplitude A --drive-frequency W --drive-phase P             [0, 0, 0]
+                        adds A cos(W t + P), 1/s²; P: 1.5 or 90deg
+                        With any of these, τ is the period of the drive or, where
+                        there is none, 2π/√α.
   --dt-factor F         longest step, as a factor of τ              [0.0001]
   --dt S                the same in seconds
   --every-factor F      time between rows, as a factor of τ         [0.02]
@@ -45,7 +51,10 @@ OPTIONS OF solve
   --until S             the same in seconds
 
 OPTIONS OF solve AND OF PROBLEMS ON STANDARD INPUT
-  --method M            rk4, euler, verlet, or exact: the closed form  [rk4]
+  --method M            rk4, euler, verlet, taylor, or exact: the closed form [rk4]
+                        exact has no friction or forcing, verlet no friction;
+                        taylor chooses its own steps from
+  --tolerance E         the relative error of a step of taylor       [1e-15]
   --columns LIST        of these, with commas between [t,theta,omega and sine]:
                           t       time, s
                           theta   angle in [-π, π), rad
@@ -104,7 +113,8 @@ EXAMPLES
   pendula analyze --theta0 0 --omega0 2
   pendula section --beta 0.5 --drive-amplitude 0.9:1.5:601 --drive-frequency 0.6667
 )",
-    R"(pendula - el péndulo, exacto y paso a paso: theta'' = -alpha sen(theta)
+    R"(pendula - el péndulo, exacto y paso a paso:
+          theta'' = -alpha sen(theta) - beta theta' + N + A cos(W t + P)
 
 USO
   pendula [OPCIONES] < problemas       resuelve problemas de la entrada estándar
@@ -137,6 +147,11 @@ OPCIONES DE solve
   --omega0 VELOCIDAD    velocidad angular inicial: 0.2 o 10deg/s    [0]
   --alpha A             rigidez g/l, 1/s²                           [1]
   --gravity G --length L    lo mismo que --alpha G/L
+  --beta B --torque N   rozamiento, 1/s, y par constante, 1/s²      [0, 0]
+  --drive-amplitude A --drive-frequency W --drive-phase P             [0, 0, 0]
+                        suma A cos(W t + P), 1/s²; P: 1.5 o 90deg
+                        Con cualquiera de ellos, τ es el periodo del forzamiento
+                        o, si no lo hay, 2π/√α.
   --dt-factor F         paso máximo, como factor de τ               [0.0001]
   --dt S                lo mismo en segundos
   --every-factor F      tiempo entre filas, como factor de τ        [0.02]
@@ -145,7 +160,10 @@ OPCIONES DE solve
   --until S             lo mismo en segundos
 
 OPCIONES DE solve Y DE LOS PROBLEMAS EN LA ENTRADA ESTÁNDAR
-  --method M            rk4, euler, verlet o exact: la solución exacta  [rk4]
+  --method M            rk4, euler, verlet, taylor o exact: la solución exacta [rk4]
+                        exact no admite rozamiento ni fuerzas, verlet no admite
+                        rozamiento; taylor elige sus pasos según
+  --tolerance E         el error relativo de un paso de taylor       [1e-15]
   --columns LISTA       de estas, separadas por comas [t,theta,omega y sine]:
                           t       tiempo, s
                           theta   ángulo en [-π, π), rad

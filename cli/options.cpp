@@ -165,7 +165,17 @@ Pendulum pendulum(const Options& options) {
         refuse({"--gravity {0} over --length {1} is out of the range of doubles",
                 "--gravity {0} entre --length {1} se sale del rango de double"},
                {shown(gravity), shown(length)});
-    return {.alpha = alpha};
+    const Pendulum stated{
+        .alpha = alpha,
+        .beta = number(options, "--beta", Rule::not_negative, 0),
+        .torque = number(options, "--torque", Rule::finite, 0),
+        .drive_amplitude = number(options, "--drive-amplitude", Rule::finite, 0),
+        .drive_frequency = number(options, "--drive-frequency", Rule::not_negative, 0),
+        .drive_phase = is_given(options, "--drive-phase") ? value(options, "--drive-phase", parse_angle(text(options, "--drive-phase"), "deg")) : 0,
+    };
+    if (stated.drive_amplitude != 0 && stated.drive_frequency == 0)
+        refuse({"a drive needs a --drive-frequency above 0", "un forzamiento necesita una --drive-frequency mayor que 0"}, {});
+    return stated;
 }
 
 State initial_state(const Options& options) {
@@ -185,9 +195,27 @@ void read_durations(const Options& options, Statement& statement) {
 }
 
 Method method(const Options& options) {
-    constexpr std::string_view words[] = {"rk4", "euler", "verlet", "exact"};
-    constexpr Method methods[] = {Method::rk4, Method::euler, Method::verlet, Method::exact};
+    constexpr std::string_view words[] = {"rk4", "euler", "verlet", "exact", "taylor"};
+    constexpr Method methods[] = {Method::rk4, Method::euler, Method::verlet, Method::exact, Method::taylor};
     return methods[choice(options, "--method", words)];
+}
+
+double tolerance(const Options& options) {
+    if (is_given(options, "--tolerance") && method(options) != Method::taylor)
+        refuse({"--tolerance goes with --method taylor", "--tolerance va con --method taylor"}, {});
+    return number(options, "--tolerance", Rule::fraction, 1e-15);
+}
+
+void require_able(const Statement& statement, const Layout& layout) {
+    if (is_conservative(statement.pendulum)) return;
+    const Text only_alone = {"{0} needs a pendulum without friction, torque and drive",
+                             "{0} necesita un péndulo sin rozamiento, par ni forzamiento"};
+    if (statement.method == Method::exact) refuse(only_alone, {"--method exact"});
+    if (statement.method == Method::verlet && statement.pendulum.beta != 0)
+        refuse({"--method verlet needs a pendulum without friction", "--method verlet necesita un péndulo sin rozamiento"}, {});
+    for (const Column column : layout.columns)
+        if (column == Column::sine || column == Column::exact || column == Column::error)
+            refuse(only_alone, {"--columns " + std::string(column_names[static_cast<std::size_t>(column)])});
 }
 
 double series_epsilon(const Options& options) {

@@ -36,16 +36,16 @@ inline constexpr OptionName option_names[] = {
     {"--alpha", solves | analyzes | measures},
     {"--gravity", solves | analyzes | measures},
     {"--length", solves | analyzes | measures},
-    {"--beta", measures},
-    {"--torque", measures},
-    {"--drive-amplitude", measures},
-    {"--drive-frequency", measures},
-    {"--drive-phase", measures},
+    {"--beta", solves | measures},
+    {"--torque", solves | measures},
+    {"--drive-amplitude", solves | measures},
+    {"--drive-frequency", solves | measures},
+    {"--drive-phase", solves | measures},
     {"--transient", measures},
     {"--periods", measures},
     {"--steps", measures},
     {"--threads", measures},
-    {"--tolerance", measures},
+    {"--tolerance", reads | solves | measures},
     {"--dt-factor", solves},
     {"--dt", solves},
     {"--every-factor", solves},
@@ -92,6 +92,10 @@ State initial_state(const Options& options);
 void read_durations(const Options& options, Statement& statement);
 /// --method of a solution.
 Method method(const Options& options);
+/// --tolerance, of `taylor`.
+double tolerance(const Options& options);
+/// Refuses methods and columns that a pendulum with friction or forcing does not have.
+void require_able(const Statement& statement, const Layout& layout);
 /// --epsilon where --method is `series`, else 0.
 double series_epsilon(const Options& options);
 /// --columns, --format and --precision.

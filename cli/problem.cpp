@@ -42,17 +42,19 @@ void require_feasible(const Schedule& schedule, std::string_view place) {
 
 Prepared prepare(const Statement& statement, std::string_view place) {
     Prepared prepared;
-    prepared.analysis = analyze(statement.pendulum.alpha, statement.initial);
-    const double unit = prepared.analysis.tau;
+    if (is_conservative(statement.pendulum)) prepared.analysis = analyze(statement.pendulum.alpha, statement.initial);
+    const double unit = characteristic_time(statement.pendulum, statement.initial);
     prepared.dt = seconds(statement.dt, unit, place, {"the step", "el paso"});
     const double every = seconds(statement.every, unit, place, {"the time between rows", "el tiempo entre filas"});
     prepared.until = seconds(statement.until, unit, place, {"the length of the run", "la duración de la simulación"});
-    // The closed form takes no steps.
-    const double dt = statement.method == Method::exact ? every : prepared.dt;
+    // The closed form takes no steps, and Taylor's method its own.
+    const bool has_steps = statement.method != Method::exact && statement.method != Method::taylor;
+    const double dt = has_steps ? prepared.dt : every;
     prepared.problem = {.pendulum = statement.pendulum,
                         .initial = statement.initial,
                         .method = statement.method,
-                        .schedule = schedule({dt, every, prepared.until})};
+                        .schedule = schedule({dt, every, prepared.until}),
+                        .tolerance = statement.tolerance};
     require_feasible(prepared.problem.schedule, place);
     return prepared;
 }

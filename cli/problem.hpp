@@ -1,6 +1,7 @@
 // A problem as people state it, whatever they state it with, and what becomes of it.
 #pragma once
 
+#include <optional>
 #include <string_view>
 
 #include "pendula/solve.hpp"
@@ -18,13 +19,14 @@ struct Statement {
     Pendulum pendulum;
     State initial;
     Method method = Method::rk4;
+    double tolerance = 1e-15;
     Duration dt{0.0001}, every{0.02}, until{1};
 };
 
 /// A problem that is ready to be solved, with what is known about it beforehand.
 struct Prepared {
     Problem problem;
-    Analysis analysis;
+    std::optional<Analysis> analysis;  ///< of a conservative pendulum
     double dt = 0, until = 0;  ///< as asked [s]
 };
 

@@ -8,6 +8,7 @@ namespace pendula::cli {
 void solve_input(const Options& options) {
     const Layout chosen = layout(options);
     const Method by = method(options);
+    const double to = tolerance(options);
     Writer writer{.path = output_path(options)};
     if (isatty(STDIN_FILENO))
         tell(
@@ -23,6 +24,7 @@ void solve_input(const Options& options) {
     std::size_t number = 1;
     while (auto read = read_problem(tokens, number)) {
         read->statement.method = by;
+        read->statement.tolerance = to;
         const Prepared prepared = prepare(read->statement, read->place);
         open(writer);
         print_table(writer, prepared, chosen, number++);
@@ -38,7 +40,11 @@ void solve_input(const Options& options) {
 
 void solve_options(const Options& options) {
     const Layout chosen = layout(options);
-    Statement statement{.pendulum = pendulum(options), .initial = initial_state(options), .method = method(options)};
+    Statement statement{.pendulum = pendulum(options),
+                        .initial = initial_state(options),
+                        .method = method(options),
+                        .tolerance = tolerance(options)};
+    require_able(statement, chosen);
     read_durations(options, statement);
     Writer writer{.path = output_path(options)};
     const Prepared prepared = prepare(statement, "");

@@ -22,9 +22,9 @@ constexpr std::size_t row_room = 512;    // eight fields of at most 12 bytes of 
 constexpr std::string_view text_headers[] = {"t",     "angulo", "velocidad", "funcionSinusoidal",
                                              "exact", "error",  "energy",    "turns"};
 
-std::vector<Column> columns_of(const Layout& layout, Regime regime) {
+std::vector<Column> columns_of(const Layout& layout, const std::optional<Analysis>& analysis) {
     if (!layout.columns.empty()) return layout.columns;
-    if (regime != Regime::oscillation) return {Column::t, Column::theta, Column::omega};
+    if (!analysis || analysis->regime != Regime::oscillation) return {Column::t, Column::theta, Column::omega};
     return {Column::t, Column::theta, Column::omega, Column::sine};
 }
 
@@ -41,25 +41,32 @@ void put_header(Writer& writer, const std::vector<Column>& columns, Format forma
 /// The problem as an object of its own, in full precision, so that the run can be repeated from it.
 void put_problem(Writer& writer, const Prepared& prepared, std::size_t number) {
     const Problem& problem = prepared.problem;
-    const Analysis& analysis = prepared.analysis;
     const auto method = method_names[static_cast<std::size_t>(problem.method)];
-    const auto regime = regime_names[static_cast<int>(analysis.regime) + 1];
     std::string line = "{\"problem\":" + std::to_string(number) + ",\"method\":\"" + std::string(method) + '"';
     const auto add = [&](std::string_view name, double value) {
         char digits[number_room];
         line.append(",\"").append(name).append("\":").append(digits, put_number(digits, value, full));
     };
+    if (problem.method == Method::taylor) add("tolerance", problem.tolerance);
     add("alpha", problem.pendulum.alpha);
+    add("beta", problem.pendulum.beta);
+    add("torque", problem.pendulum.torque);
+    add("drive_amplitude", problem.pendulum.drive_amplitude);
+    add("drive_frequency", problem.pendulum.drive_frequency);
+    add("drive_phase", problem.pendulum.drive_phase);
     add("theta0", problem.initial.theta);
     add("omega0", problem.initial.omega);
     add("dt", prepared.dt);
     add("every", problem.schedule.every);
     add("until", prepared.until);
     add("rows", problem.schedule.rows);
-    add("k", static_cast<int>(analysis.regime));
-    line.append(",\"regime\":\"").append(regime).append("\"");
-    add("thetaM", analysis.theta_max);
-    add("tau", analysis.tau);
+    if (const auto& analysis = prepared.analysis) {
+        const int k = static_cast<int>(analysis->regime);
+        add("k", k);
+        line.append(",\"regime\":\"").append(regime_names[k + 1]).append("\"");
+        add("thetaM", analysis->theta_max);
+        add("tau", analysis->tau);
+    }
     put(writer, line + "}\n");
 }
 
@@ -145,7 +152,7 @@ char* put_field(char* at, const RowStyle& style, std::size_t field, double value
 }
 
 void print_table(Writer& writer, const Prepared& prepared, const Layout& layout, std::size_t number) {
-    const auto columns = columns_of(layout, prepared.analysis.regime);
+    const auto columns = columns_of(layout, prepared.analysis);
     std::vector<std::string_view> names;
     bool needs_exact = false;
     for (const Column column : columns) {

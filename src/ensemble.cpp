@@ -53,6 +53,7 @@ void put(Chunk& c, int i, Pendulum p, State s) noexcept {
 struct Call {
     const Ensemble& ensemble;
     Method method;
+    double tolerance;
     const EnsembleTimes& times;
     const EnsembleRows& rows;
     Progress& progress;
@@ -83,6 +84,23 @@ struct Call {
                 moves = moves || length[i] > 0;
             }
             if (moves && !rk4_segment(c, start, length, times.steps_per_row, false, progress, is_caller)) return;
+            put_row(c, first, row);
+            progress.report(c.count);
+        }
+    }
+
+    void taylor_rows(std::size_t first, bool is_caller) const noexcept {
+        constexpr int most = 64;  // steps between looks at whether to go on
+        Chunk c;
+        load(c, ensemble, first);
+        kernels::TaylorChunk steps;
+        double t[chunk_size] = {};
+        start_taylor(steps, c, tolerance, t);
+        for (std::size_t row = 0; row < times.rows; ++row) {
+            for (int i = 0; i < c.count; ++i) t[i] = row_time(first + static_cast<std::size_t>(i), static_cast<double>(row));
+            do {
+                if (!progress.proceeds(is_caller)) return;
+            } while (!kernels::dispatch().taylor(c, steps, t, most));
             put_row(c, first, row);
             progress.report(c.count);
         }
@@ -138,17 +156,17 @@ bool rk4_segment(Chunk& c, const double* start, const double* length, double ste
     return true;
 }
 
-bool solve(const Ensemble& ensemble, Method method, double, const EnsembleTimes& times, const Control& control,
+bool solve(const Ensemble& ensemble, Method method, double tolerance, const EnsembleTimes& times, const Control& control,
            const EnsembleRows& rows) noexcept {
     Progress progress(control, static_cast<double>(ensemble.size) * static_cast<double>(times.rows));
-    Call call{ensemble, method, times, rows, progress};
+    Call call{ensemble, method, tolerance, times, rows, progress};
     const auto work = [](void* context, std::size_t chunk, bool is_caller) {
         const auto& c = *static_cast<const Call*>(context);
         if (!c.progress.proceeds(is_caller)) return;
-        if (c.method == Method::exact)
-            c.exact_rows(chunk * chunk_size, is_caller);
-        else
-            c.rk4_rows(chunk * chunk_size, is_caller);
+        const std::size_t first = chunk * chunk_size;
+        if (c.method == Method::exact) c.exact_rows(first, is_caller);
+        if (c.method == Method::taylor) c.taylor_rows(first, is_caller);
+        if (c.method == Method::rk4) c.rk4_rows(first, is_caller);
     };
     for_each_piece(chunks_of(ensemble.size), control.threads, progress, work, &call);
     return progress.proceeds(true);

@@ -20,6 +20,7 @@ LONG_CALLS = {
     "rk4": lambda: pendula.solve(MANY[:1000], 0.0, dt=1e-5, every=1e3, until=1e3, threads=2),
     "taylor, one pendulum": lambda: pendula.solve(1.0, 0.0, every=1e9, until=1e9, method="taylor"),
     "verlet": lambda: pendula.solve(MANY[:1000], 0.0, dt=1e-5, every=1e3, until=1e3, method="verlet"),
+    "measure": lambda: pendula.measure.mean_velocity(MANY[:1000], 0.0, periods=10**6),
 }
 
 

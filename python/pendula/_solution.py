@@ -14,6 +14,7 @@ from pendula._closed_form import Analysis, analyze
 if TYPE_CHECKING:
     import xarray
     from matplotlib.axes import Axes
+    from matplotlib.axes import Axes
 
 
 @dataclass(frozen=True, eq=False)
@@ -71,6 +72,12 @@ class Solution:
         theta, _, _ = _core.states(**self._closed_form("error"), t=self.t)
         difference: Array = _core.wrap(np.subtract(self.theta, theta))
         return difference
+
+    def plot(self, *, ax: Axes | None = None) -> Axes:
+        """Angle and angular velocity against time: `pendula.plot.time_series`."""
+        from pendula.plot import time_series
+
+        return time_series(self, ax=ax)
 
     def to_xarray(self) -> xarray.Dataset:
         """The solution with named dimensions, coordinates, units and parameters."""

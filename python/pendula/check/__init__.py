@@ -1,0 +1,8 @@
+"""The marking of coursework: tables that students' programs have printed, beside what the core gives for their problems."""
+
+from pendula.check._asked import Asked, Start, asked
+from pendula.check._findings import Finding
+from pendula.check._judge import Judgement, judge
+from pendula.check._reading import Table, UnreadableError, read_file, tables
+
+__all__ = ["Asked", "Finding", "Judgement", "Start", "Table", "UnreadableError", "asked", "judge", "read_file", "tables"]

@@ -1,7 +1,6 @@
-#include "pendula/taylor.hpp"
+#include "taylor_scalar.hpp"
 
 #include "kernels/taylor_chunk.hpp"
-#include "kernels/taylor_kernel.hpp"
 #include "pendula/angle.hpp"
 
 namespace pendula {
@@ -10,14 +9,14 @@ using namespace arithmetic;
 using kernels::Series;
 using kernels::TaylorStep;
 
-namespace {
-
 TaylorStep<double> step_of(const Taylor& run) noexcept {
     TaylorStep<double> step{{run.theta, run.omega, run.turns, run.theta_lo, run.omega_lo}, {run.t, run.t_lo}, run.unit, run.length, {}};
     static_assert(sizeof step.v == sizeof run.series);
     __builtin_memcpy(step.v, run.series, sizeof step.v);
     return step;
 }
+
+namespace {
 
 void put_step(Taylor& run, const TaylorStep<double>& step) noexcept {
     run.theta = step.start.theta;

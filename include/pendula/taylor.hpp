@@ -37,4 +37,43 @@ bool reaches(const Taylor& run, double t) noexcept;
 /// The state at time t [s] of the step: dense output, as accurate as the step's ends. NaN once the motion is not finite.
 Sample at(const Taylor& run, double t) noexcept;
 
+/// What is crossed: theta through a whole number of turns, or omega through 0.
+enum class Crossed { theta, omega };
+
+struct Crossing {
+    Sample sample;
+    bool is_rising = false;  ///< of what is crossed
+};
+
+/// A search for crossings in progress.
+///
+/// Each step is cut where the derivative of what is crossed changes its sign, so that every piece has a crossing of a level or
+/// none; the signs at the cuts, of which the end of a step shares its bits with the start of the next, then count crossings:
+/// none is missed or doubled, and rising ones take turns with falling ones. Where what is crossed comes closer to a level than
+/// its rounding, some 1e-16, rounding decides whether it crosses twice or not at all. What only touches a level to the bit
+/// does not cross it, nor does a start upon it.
+struct Crossings {
+    Taylor run;
+    Crossed crossed = Crossed::theta;
+    double side = 0;      ///< the odd number 2 m + 1 between the levels m and m + 1; 0 until the start's level is left
+    double cuts[24] = {};  ///< of the step, in seconds since its start
+    int cut_count = 0;
+    int cut = 0;           ///< the next one to be looked at
+    bool is_upon = false;  ///< a level, since:
+    Sample upon;
+};
+
+/// The search along a trajectory from time t [s].
+Crossings crossings(const Pendulum& pendulum, State initial, Crossed crossed, double tolerance = 1e-15, double t = 0) noexcept;
+
+/// The next crossing up to time `until` [s], in time within the rounding of what is crossed over its rate of change.
+/// False where there is none, where the motion is not finite, or after about `step_budget` steps; with `reaches(search.run,
+/// until)` the search is done, otherwise the call may be repeated.
+bool next_crossing(Crossings& search, double until, Crossing& crossing, double step_budget = 0x1p53) noexcept;
+
+/// The mean time [s] between crossings of theta through whole turns in the direction of the first, up to time `until` [s]: the
+/// period of an oscillation or a rotation, and of a motion of a longer period the mean over the returns. Within rounding of
+/// the times, so that more periods give more digits. NaN for fewer than two.
+double measured_period(const Pendulum& pendulum, State initial, double until, double tolerance = 1e-15) noexcept;
+
 }  // namespace pendula

@@ -1,0 +1,184 @@
+#include "taylor_scalar.hpp"
+
+namespace pendula {
+
+using namespace arithmetic;
+using kernels::Motion;
+using kernels::TaylorStep;
+
+namespace {
+
+constexpr int most_terms = kernels::taylor_order_limit + 1;
+
+/// A polynomial on [0, 1].
+struct Polynomial {
+    double a[most_terms];
+    int terms;
+
+    double operator()(double x) const noexcept {
+        double sum = 0;
+        for (int k = terms - 1; k >= 0; --k) sum = sum * x + a[k];
+        return sum;
+    }
+};
+
+Polynomial derivative(const Polynomial& p) noexcept {
+    Polynomial d{{}, p.terms - 1};
+    for (int k = 0; k < d.terms; ++k) d.a[k] = (k + 1) * p.a[k + 1];
+    return d;
+}
+
+bool keeps_its_sign(const Polynomial& p) noexcept {
+    double others = 0;
+    for (int k = 1; k < p.terms; ++k) others += abs(p.a[k]);
+    return abs(p.a[0]) > others;
+}
+
+/// Where a monotone function changes its sign between two points: 64 halvings leave no double between them.
+double change_between(const Polynomial& p, double low, double high) noexcept {
+    const bool rises = p(low) < 0;
+    for (int i = 0; i < 64; ++i) {
+        const double middle = 0.5 * (low + high);
+        ((p(middle) < 0) == rises ? low : high) = middle;
+    }
+    return high;
+}
+
+/// The points of (0, 1) where p changes its sign, in order: at most one between two of its derivative's, which are found in
+/// the same way, down to a derivative that keeps its sign for a bound's sake, at the latest a constant.
+int sign_changes(const Polynomial& p, double (&points)[most_terms]) noexcept {
+    if (p.terms < 2 || keeps_its_sign(p)) return 0;
+    double cuts[most_terms];
+    int cut_count = sign_changes(derivative(p), cuts);
+    cuts[cut_count++] = 1;
+    int count = 0;
+    double low = 0, value = p.a[0];
+    for (int i = 0; i < cut_count; ++i) {
+        const double next = p(cuts[i]);
+        if ((value < 0 && next > 0) || (value > 0 && next < 0)) points[count++] = change_between(p, low, cuts[i]);
+        if (next == 0) continue;  // the sign before it stays in force
+        low = cuts[i];
+        value = next;
+    }
+    return count;
+}
+
+/// Cuts the step where the derivative of what is crossed changes its sign, and at its end.
+void cut_step(Crossings& search) noexcept {
+    const Taylor& run = search.run;
+    Polynomial v{{}, run.order + 1};
+    const double x = run.length / run.unit;
+    double power = 1;
+    for (int k = 0; k < v.terms; ++k, power *= x) v.a[k] = run.series[k] * power;
+    double points[most_terms];
+    search.cut_count = sign_changes(search.crossed == Crossed::theta ? v : derivative(v), points);
+    for (int i = 0; i < search.cut_count; ++i) search.cuts[i] = points[i] * run.length;
+    search.cuts[search.cut_count++] = run.length;
+    search.cut = 0;
+}
+
+/// Twice the level of what is crossed where it is upon one, and the odd number between two levels elsewhere.
+double side_of(Crossed crossed, const Motion<double>& m) noexcept {
+    const double x = crossed == Crossed::theta ? m.theta : m.omega;
+    const double sign = x > 0 ? 1 : x < 0 ? -1 : 0;
+    return crossed == Crossed::theta ? 2 * m.turns + sign : sign;
+}
+
+/// What is crossed, from the level, and its rate of change.
+struct Departure {
+    double value;
+    double rate;
+};
+
+Departure departure(const Crossings& search, const TaylorStep<double>& step, double since, double level) noexcept {
+    const auto m = motion_at(step, since);
+    if (search.crossed == Crossed::theta)
+        return {(2 * m.turns - level) * two_pi_dd[0] * 0.5 + (m.theta + m.theta_lo), m.omega};
+    const double x = since / step.unit;
+    const double slope = kernels::tail_of_series(step.v, x, [](double a, int k) { return a * k; });
+    return {m.omega + m.omega_lo, slope / (step.unit * step.unit)};
+}
+
+/// When a level is crossed between two times of the step, by Newton's method kept within bounds that halve every other turn:
+/// 128 turns are enough to leave no double between them.
+double time_of_crossing(const Crossings& search, const TaylorStep<double>& step, double low, double high, double level) noexcept {
+    const bool rises = side_of(search.crossed, motion_at(step, low)) < level;
+    double since = 0.5 * (low + high);
+    for (int turn = 0; turn < 128; ++turn) {
+        const auto d = departure(search, step, since, level);
+        if (d.value == 0) return since;
+        ((d.value < 0) == rises ? low : high) = since;
+        const double next = since - d.value / d.rate;
+        if (abs(next - since) <= 0x1p-54 * step.length) return since;
+        since = turn % 2 == 0 && next > low && next < high ? next : 0.5 * (low + high);
+    }
+    return since;
+}
+
+Sample sample_at(const TaylorStep<double>& step, double since) noexcept {
+    const auto m = motion_at(step, since);
+    return {(step.t + since).hi, m.theta, m.omega, m.turns};
+}
+
+/// The crossing of the next level on the way to the cut at which the search is, if that is beyond one.
+bool crosses(Crossings& search, const TaylorStep<double>& step, double until, Crossing& crossing) noexcept {
+    const double end = search.cuts[search.cut], side = side_of(search.crossed, motion_at(step, end));
+    const bool is_even = side == 2 * round_even(0.5 * side);
+    if (search.side != 0 && abs(side - search.side) > 1) {
+        const bool is_rising = side > search.side;
+        const double level = search.side + (is_rising ? 1 : -1);
+        const double start = search.cut == 0 ? 0 : search.cuts[search.cut - 1];
+        crossing = {search.is_upon ? search.upon : sample_at(step, time_of_crossing(search, step, start, end, level)), is_rising};
+        if (crossing.sample.t > until) return false;
+        search.side += is_rising ? 2 : -2;
+        search.is_upon = false;
+        return true;
+    }
+    if (is_even && !search.is_upon) search.upon = sample_at(step, end);
+    search.is_upon = is_even;
+    if (!is_even) search.side = side;
+    ++search.cut;
+    return false;
+}
+
+}  // namespace
+
+Crossings crossings(const Pendulum& pendulum, State initial, Crossed crossed, double tolerance, double t) noexcept {
+    Crossings search;
+    search.run = taylor(pendulum, initial, tolerance, t);
+    search.crossed = crossed;
+    const double side = side_of(crossed, step_of(search.run).start);
+    if (side != 2 * round_even(0.5 * side)) search.side = side;
+    cut_step(search);
+    return search;
+}
+
+bool next_crossing(Crossings& search, double until, Crossing& crossing, double step_budget) noexcept {
+    while (search.run.length == search.run.length) {
+        const auto at_step = step_of(search.run);
+        while (search.cut < search.cut_count) {
+            const int cut = search.cut;
+            if (crosses(search, at_step, until, crossing)) return true;
+            if (search.cut == cut) return false;  // the crossing lies beyond `until`
+        }
+        if (reaches(search.run, until) || --step_budget < 0) return false;
+        step(search.run);
+        cut_step(search);
+    }
+    return false;
+}
+
+double measured_period(const Pendulum& pendulum, State initial, double until, double tolerance) noexcept {
+    auto search = crossings(pendulum, initial, Crossed::theta, tolerance);
+    Crossing first, next;
+    if (!next_crossing(search, until, first)) return __builtin_nan("");
+    double periods = 0, last = first.sample.t;
+    while (next_crossing(search, until, next)) {
+        if (next.is_rising != first.is_rising) continue;
+        ++periods;
+        last = next.sample.t;
+    }
+    return periods > 0 ? (last - first.sample.t) / periods : __builtin_nan("");
+}
+
+}  // namespace pendula

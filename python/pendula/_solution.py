@@ -85,12 +85,6 @@ class Solution:
 
         return dataset(self)
 
-    def plot(self, *, ax: Axes | None = None) -> Axes:
-        """`pendula.plot.time_series` of this solution."""
-        from pendula.plot import time_series
-
-        return time_series(self, ax=ax)
-
     def _closed_form(self, name: str) -> dict[str, Any]:
         """The arguments of the closed form, as they broadcast against times."""
         if not self.parameters.is_conservative:

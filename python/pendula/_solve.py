@@ -42,7 +42,8 @@ def solve(
     drive_phase: φ [rad]. They broadcast; a pendulum's bits depend on its own values only, and are those of the program.
 
     The times [s] are `t`, one axis from 0 or later, evenly spaced (any for `exact`); or from 0 to `until`, one each `every`.
-    Left out, they are the program's: 1 and 0.02 of the characteristic time. dt: longest step, 0.0001 of it where left out.
+    Left out, they are the program's: 1 and 0.02 of the characteristic time. dt: longest step, 0.0001 of it where left out; not for
+    taylor and exact.
 
     method: rk4, euler; verlet (no friction); taylor, to `tolerance` in (0, 1); exact, the closed form (no friction or forcing).
     threads: at most so many; as many as there are processors where left out. ValueError for anything outside.
@@ -67,7 +68,8 @@ def solve(
     if t is None:
         between = EVERY * tau if every is None else real("every", every)
         last = UNTIL * tau if until is None else real("until", until)
-        times = at_intervals(between, last, between if method == "exact" else step)  # the closed form takes no steps
+        has_steps = method not in ("exact", "taylor")  # of a length that is chosen
+        times = at_intervals(between, last, step if has_steps else between)
     elif method == "exact":
         times = Times(one_axis(t), 0.0, 0.0, 0.0)
     else:

@@ -49,6 +49,20 @@ void put(Chunk& c, int i, Pendulum p, State s) noexcept {
     c.drive_phase[i] = p.drive_phase;
 }
 
+/// Takes every member by rk4 in `steps` steps over `length` [s] from `start` [s]; arrays of chunk_size. False when stopped.
+bool rk4_segment(Chunk& c, const double* start, const double* length, double steps, Progress& progress,
+                 bool is_caller) noexcept {
+    constexpr int most = 16 * kernels::block_steps;  // between looks at whether to go on
+    double h[chunk_size];
+    for (int i = 0; i < chunk_size; ++i) h[i] = length[i] / steps;
+    for (double done = 0; done < steps; done += most) {
+        if (!progress.proceeds(is_caller)) return false;
+        const double left = steps - done;
+        kernels::dispatch().rk4(c, start, h, done, left < most ? static_cast<int>(left) : most);
+    }
+    return true;
+}
+
 /// A call of `solve`, as its pieces see it: one chunk each.
 struct Call {
     const Ensemble& ensemble;
@@ -83,7 +97,7 @@ struct Call {
                 length[i] = row == 0 ? value_of(times.first, member) : value_of(times.every, member);
                 moves = moves || length[i] > 0;
             }
-            if (moves && !rk4_segment(c, start, length, times.steps_per_row, false, progress, is_caller)) return;
+            if (moves && !rk4_segment(c, start, length, times.steps_per_row, progress, is_caller)) return;
             put_row(c, first, row);
             progress.report(c.count);
         }
@@ -140,20 +154,6 @@ void load(Chunk& c, const Ensemble& e, std::size_t first) noexcept {
         else
             put(c, i, {}, {});
     }
-}
-
-bool rk4_segment(Chunk& c, const double* start, const double* length, double steps, bool has_tangent, Progress& progress,
-                 bool is_caller) noexcept {
-    constexpr int most = 16 * kernels::block_steps;  // between looks at whether to go on
-    double h[chunk_size];
-    for (int i = 0; i < chunk_size; ++i) h[i] = length[i] / steps;
-    const auto advance = has_tangent ? kernels::dispatch().rk4_tangent : kernels::dispatch().rk4;
-    for (double done = 0; done < steps; done += most) {
-        if (!progress.proceeds(is_caller)) return false;
-        const double left = steps - done;
-        advance(c, start, h, done, left < most ? static_cast<int>(left) : most);
-    }
-    return true;
 }
 
 bool solve(const Ensemble& ensemble, Method method, double tolerance, const EnsembleTimes& times, const Control& control,

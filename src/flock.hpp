@@ -1,4 +1,4 @@
-// A chunk of an ensemble on its way from row to row: shared by `solve` for ensembles and by the measures.
+// Members of an ensemble as chunks: shared by `solve` for ensembles and by the measures.
 #pragma once
 
 #include "kernels/dispatch.hpp"
@@ -19,9 +19,5 @@ constexpr std::size_t chunks_of(std::size_t members) noexcept { return (members 
 
 /// Loads the members first, first + 1, … of an ensemble. One that is not legal starts as NaN.
 void load(kernels::Chunk& chunk, const Ensemble& ensemble, std::size_t first) noexcept;
-
-/// Takes every member by rk4 in `steps` steps over `length` [s] from `start` [s]; arrays of chunk_size. False when stopped.
-bool rk4_segment(kernels::Chunk& chunk, const double* start, const double* length, double steps, bool has_tangent,
-                 Progress& progress, bool is_caller) noexcept;
 
 }  // namespace pendula

@@ -15,10 +15,7 @@ namespace {
 constexpr double nan = __builtin_nan("");
 constexpr double two_pi = 2 * pi;
 
-double ceiling(double x) noexcept {
-    const double whole = arithmetic::round_even(x);
-    return whole < x ? whole + 1 : whole;
-}
+double ceiling(double x) noexcept { return -arithmetic::floor(-x); }
 
 void renormalise(Strobed& m, int i) noexcept {
     Chunk& c = m.chunk;
@@ -135,12 +132,8 @@ bool go_to_first_strobe(Strobed& m, const Way& way) noexcept {
         moves = moves || length[i] > 0;
     }
     if (!moves) return true;
-    const Chunk before = m.chunk;
     if (!go(m, length, {way.strobe, way.progress, way.is_caller, false})) return false;
-    for (int i = 0; i < chunk_size; ++i) {
-        if (length[i] == 0) keep(m.chunk, before, i);
-        m.chunk.drive_phase[i] = 0;
-    }
+    for (int i = 0; i < chunk_size; ++i) m.chunk.drive_phase[i] = 0;
     round_states(m.chunk);
     return true;
 }

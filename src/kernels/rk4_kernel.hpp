@@ -19,6 +19,7 @@ inline constexpr int block_steps = 32;
 template <class T>
 struct Rk4Step {
     T h;
+    T per_step;            ///< 1/h; 0 where h is 0, and nothing moves
     T pull;                ///< alpha h^2
     T drag;                ///< beta h
     T torque;              ///< torque h^2
@@ -32,6 +33,7 @@ template <class T>
 inline Rk4Step<T> rk4_constants(T alpha, T beta, T torque, T drive_amplitude, T drive_frequency, T drive_phase, T h) {
     const DoubleDouble<T> inverse{splat<T>(inverse_two_pi_dd[0]), splat<T>(inverse_two_pi_dd[1])};
     return {h,
+            select(h == 0.0, T{}, 1.0 / h),
             alpha * h * h,
             beta * h,
             torque * h * h,
@@ -104,7 +106,7 @@ inline void near_steps(const Rk4Step<T>& k, Motion<T>& x, int steps) {
         at.angle = {near_sine(end, bend), near_cosine(end, bend)};
         at.step(at.v + bend, d_v);
     }
-    add(x, at.way, at.change / k.h);
+    add(x, at.way, at.change * k.per_step);
 }
 
 /// The accelerations of a step's four stages and, if asked for, of a tangent vector. Undriven, bits are those of a drive of 0.
@@ -172,7 +174,7 @@ inline void short_steps(Stages& stages, Motion<T>& x, int steps) {
         at.angle = turned_by(angle, short_increments(d.theta));
         at.step(d.theta, d.omega);
     }
-    add(x, at.way, at.change / stages.k.h);
+    add(x, at.way, at.change * stages.k.per_step);
 }
 
 /// Steps of any length: every sine anew.
@@ -181,7 +183,7 @@ inline void large_steps(Stages& stages, Motion<T>& x, int steps) {
     for (int i = 0; i < steps; ++i) {
         const T theta = x.theta;
         const auto d = stages.step(x.omega * stages.k.h, sincos(theta), [theta](T e) { return sincos(theta + e); });
-        add(x, d.theta, d.omega / stages.k.h);
+        add(x, d.theta, d.omega * stages.k.per_step);
     }
 }
 
@@ -197,7 +199,7 @@ inline void forced_block(const Rk4Step<T>& k, DoubleDouble<T> t, Motion<T>& x, T
     if (any<T>(!is_small)) large_steps(large_stages, large, steps);
     x = choose<T>(is_small, small, large);
     const auto moved = choose<T>(is_small, small_stages.tangent, large_stages.tangent);
-    tangent = {moved.theta, moved.omega / k.h};
+    tangent = {moved.theta, moved.omega * k.per_step};
 }
 
 /// Up to `block_steps` steps from time t; each lane by the way that its own constants and angles allow. The tangent vector

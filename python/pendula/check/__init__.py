@@ -3,6 +3,6 @@
 from pendula.check._asked import Asked, Start, asked
 from pendula.check._findings import Finding
 from pendula.check._judge import Judgement, judge
-from pendula.check._reading import Table, UnreadableError, read_file, tables
+from pendula.check._reading import Table, UnreadableError, decoded, read_file, tables
 
-__all__ = ["Asked", "Finding", "Judgement", "Start", "Table", "UnreadableError", "asked", "judge", "read_file", "tables"]
+__all__ = ["Asked", "Finding", "Judgement", "Start", "Table", "UnreadableError", "asked", "decoded", "judge", "read_file", "tables"]

@@ -47,29 +47,27 @@ def judge(problem: Asked, table: Table) -> Judgement:
     name, columns = next((each for each in candidates if is_right(problem, each[1])), candidates[0])
     if name:
         findings.append(error(name, header=" ".join(table.header)))
-    findings += _judge_rows(table, columns)
+    lost = np.setdiff1d(table.lines, columns.lines)
+    findings += _judge_rows(table, columns, lost)
     reading = explain(problem, columns)
     off = deviations(problem, columns)
     findings += _judge_states(columns, reading, off)
     taken = reading.explanation.start(problem.start) if reading else problem.start
-    times = columns.t
-    if reading is not None and reading.explanation.name.startswith("times"):
-        times = Column(np.arange(times.values.size) * problem.every, np.zeros_like(times.units))
-    else:
-        in_time = judge_times(problem, taken, times.values, times.units, columns.sine is not None)
-        findings += in_time
-        times = _in_own_periods(taken, times, in_time)
+    times = reading.times if reading else columns.t
+    in_time = [] if lost.size else judge_times(problem, taken, times.values, times.units, columns.sine is not None)
+    findings += in_time
+    times = _in_own_periods(taken, times, in_time)
     if all(finding.name != "regime" for finding in findings):
         findings += _judge_sine(problem, taken, columns, times)
     return Judgement(findings, off)
 
 
-def _judge_rows(table: Table, columns: Columns) -> list[Finding]:
+def _judge_rows(table: Table, columns: Columns, lost: Any) -> list[Finding]:
     """Rows that are none, and numbers that say little."""
     findings = []
     if table.ragged:
         findings.append(error("ragged", line=table.ragged[0], count=len(table.ragged)))
-    lost = np.setdiff1d(table.lines, columns.lines)
+    lost = np.setdiff1d(lost, table.ragged)
     if lost.size:
         findings.append(error("not numbers", line=int(lost[0]), count=int(lost.size)))
     if columns.digits < FEW_DIGITS and np.ptp(columns.theta.values) > 0:

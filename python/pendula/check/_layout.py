@@ -50,9 +50,9 @@ def placements(problem: Asked, table: Table) -> Iterator[tuple[str, dict[str, in
 
 
 def columns_at(table: Table, places: dict[str, int]) -> Columns | None:
-    """The columns at these places, in rows that have a time and a state; None if there are none."""
+    """The columns at these places, in whole rows that have a time and a state; None if there are none."""
     state = [places[role] for role in STATE]
-    rows = np.isfinite(table.values[:, state]).all(axis=1)
+    rows = np.isfinite(table.values[:, state]).all(axis=1) & ~np.isin(table.lines, table.ragged)
     if not rows.any():
         return None
     found = {role: Column(table.values[rows, place], table.units[rows, place]) for role, place in places.items()}

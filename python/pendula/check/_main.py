@@ -5,13 +5,12 @@ from __future__ import annotations
 import argparse
 import sys
 from itertools import zip_longest
-from pathlib import Path
 
 from pendula import _program
 from pendula._language import LANGUAGES, language
 from pendula.check._asked import asked
 from pendula.check._judge import judge
-from pendula.check._reading import MOST_BYTES, Table, UnreadableError, decoded, read_file, tables
+from pendula.check._reading import UnreadableError, opened, read_file
 from pendula.check._report import UNREADABLE, Mark, Marks, as_json, as_text, unreadable_as_json
 from pendula.check._texts import OPTIONS
 from pendula.check._texts import UNREADABLE as REASONS
@@ -27,8 +26,10 @@ def main() -> int:
         marks = _marks(options.table, options.input, options.strict)
     except UnreadableError as unreadable:
         text = REASONS[unreadable.name][place].format(*unreadable.values)
-    except (_program.FailedError, OSError) as failed:  # the problems, the program
-        text = str(failed)
+    except _program.FailedError:  # it has said why
+        text = REASONS["no problems"][place].format(options.input)
+    except FileNotFoundError as missing:  # the program
+        text = str(missing)
     except KeyboardInterrupt:
         return INTERRUPTED
     else:
@@ -41,8 +42,8 @@ def main() -> int:
 
 
 def _marks(path: str, problems: str, strict: bool) -> Marks:
-    found = _tables(path)
-    with Path(problems).open("rb") as file:
+    found = read_file(path)
+    with opened(problems) as file:
         solved = _program.solve([], file)
     if not solved:
         raise UnreadableError("no problems", problems)
@@ -51,15 +52,6 @@ def _marks(path: str, problems: str, strict: bool) -> Marks:
         problem = asked(each)
         marks.append(Mark(problem, table, judge(problem, table) if table else None))
     return Marks(marks, len(found), strict)
-
-
-def _tables(path: str) -> list[Table]:
-    if path != "-":
-        return read_file(path)
-    data = sys.stdin.buffer.read(MOST_BYTES + 1)
-    if len(data) > MOST_BYTES:
-        raise UnreadableError("too large", path, MOST_BYTES >> 20)
-    return tables(decoded(data, path))
 
 
 def _parser(place: int) -> argparse.ArgumentParser:

@@ -6,7 +6,7 @@ import math
 import re
 from typing import NamedTuple
 
-NUMBER = re.compile(r"[+-]?(\d*)(?:\.(\d*)|,(\d+))?(?:[eEdD]([+-]?\d{1,4}))?")
+NUMBER = re.compile(r"[+-]?(\d*)(?:\.(\d*)|,(\d+))?(?:[eEdD]([+-]?\d{1,4}))?", re.ASCII)
 # C's, Microsoft's and Python's ways to say that there is no number.
 NOT_FINITE = re.compile(r"[+-]?(nan|inf|infinity|1[.,]#[a-z]+)(\([a-z0-9]*\))?", re.IGNORECASE)
 

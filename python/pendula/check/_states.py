@@ -40,9 +40,10 @@ class Columns(NamedTuple):
 
 
 class Reading(NamedTuple):
-    """A hypothesis that explains the states, if angle and velocity are in these units [rad]."""
+    """A hypothesis that explains the states, if they are of these times, and angle and velocity in these units [rad]."""
 
     explanation: Explanation
+    times: Column
     angle_unit: float
     velocity_unit: float
 
@@ -66,14 +67,15 @@ def explain(problem: Asked, columns: Columns) -> Reading | None:
     """The first hypothesis within whose tolerance all states are."""
     for explanation in EXPLANATIONS:
         start = explanation.start(problem.start)
-        motion = explanation.motion(start, problem, columns.t.values)
+        times = Column(explanation.times(start, problem, columns.t.values), columns.t.units)
+        motion = explanation.motion(start, problem, times.values)
         if motion is None:
             continue
-        blurred = _blurred(motion, partial(explanation.motion, start, problem), columns.t)
+        blurred = _blurred(motion, partial(explanation.motion, start, problem), times)
         for angle_unit, velocity_unit in ((1.0, 1.0), (DEGREE, 1.0), (1.0, DEGREE), (DEGREE, DEGREE)):
             theta, omega = _scaled(columns.theta, angle_unit), _scaled(columns.omega, velocity_unit)
             if all(np.all(fits) for fits in _fits(blurred, theta, omega)):
-                return Reading(explanation, angle_unit, velocity_unit)
+                return Reading(explanation, times, angle_unit, velocity_unit)
     return None
 
 

@@ -81,8 +81,8 @@ COLUMNS = {
         "La línea {line} tiene más o menos columnas que las demás ({count} líneas así).",
     ),
     "not numbers": (
-        "Line {line} has a nan or inf, or an empty place, where a number should be ({count} such lines).",
-        "La línea {line} tiene un nan o inf, o un hueco, donde debería haber un número ({count} líneas así).",
+        "Line {line} has a nan or inf where a number should be ({count} such lines).",
+        "La línea {line} tiene un nan o inf donde debería haber un número ({count} líneas así).",
     ),
     "not normalised": (
         "The angle is not normalised: line {line} has {value:.6g}, which in [−π, π) is {wanted:.6g} ({count} such lines).",

@@ -14,7 +14,6 @@ from pendula._closed_form import Analysis, analyze
 if TYPE_CHECKING:
     import xarray
     from matplotlib.axes import Axes
-    from matplotlib.axes import Axes
 
 
 @dataclass(frozen=True, eq=False)

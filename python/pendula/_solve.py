@@ -42,8 +42,8 @@ def solve(
     drive_phase: φ [rad]. They broadcast; a pendulum's bits depend on its own values only, and are those of the program.
 
     The times [s] are `t`, one axis from 0 or later, evenly spaced (any for `exact`); or from 0 to `until`, one each `every`.
-    Left out, they are the program's: 1 and 0.02 of the characteristic time. dt: longest step, 0.0001 of it where left out; not for
-    taylor and exact.
+    Left out, they are the program's: 1 and 0.02 of the characteristic time. dt: longest step, 0.0001 of it where left out;
+    taylor chooses its own.
 
     method: rk4, euler; verlet (no friction); taylor, to `tolerance` in (0, 1); exact, the closed form (no friction or forcing).
     threads: at most so many; as many as there are processors where left out. ValueError for anything outside.

@@ -57,17 +57,6 @@ inline SinCos<T> turned_by(SinCos<T> x, SinCos<T> d) {
     return {x.sin + (x.sin * d.cos + x.cos * d.sin), x.cos + (x.cos * d.cos - x.sin * d.sin)};
 }
 
-/// sin(x + e) and cos(x + e) for |e| <= near_limit, within 3e-17: the third power of e is left out.
-inline constexpr double near_limit = 5e-6;
-template <class T>
-inline T near_sine(SinCos<T> x, T e) {
-    return x.sin + e * (x.cos - (0.5 * e) * x.sin);
-}
-template <class T>
-inline T near_cosine(SinCos<T> x, T e) {
-    return x.cos - e * (x.sin + (0.5 * e) * x.cos);
-}
-
 /// What a block of small steps carries: sine and cosine of the angle, and the velocity per step.
 template <class T>
 struct Carried {
@@ -89,24 +78,39 @@ struct Carried {
     }
 };
 
-/// Without friction or force, steps with so little pull that their angles lie near theta, theta + v/2 or theta + v.
+/// Steps without friction or force and so small, |v| <= near_limit and p = alpha h^2 <= near_pull, that their sines are expanded
+/// about the middle B = theta + eta, eta = v/2. With sin C = sin B - a cos B - a^2/2 sin B, a = (p/4) sin A, and sin D likewise
+/// about theta + v, (3.10) becomes in s = (p/6) sin B, c = (p/6) cos B, m = s (2 + cos eta), t = c sin eta
+///     theta' - theta = v + bend,  bend = t - m + 3/2 c (s - t)
+///     eta' - eta     = s (3 c cos(eta) + 27/8 s^2) - p^2/24 sin(eta) - m
+/// but for terms below 1e-17. Of the angle only s and c are carried on: turned by v, then by the small rest bend + eta' - eta.
+inline constexpr double near_limit = 1.0 / 256;
+inline constexpr double near_pull = 4e-6;
 template <class T>
 inline void near_steps(const Rk4Step<T>& k, Motion<T>& x, int steps) {
-    Carried<T> at(x, k.h);
-    const T half_pull = -0.5 * k.pull, quarter_pull = -0.25 * k.pull, sixth_pull = k.pull * (-1.0 / 6.0);
+    const T unit = k.pull * (1.0 / 6.0), squared = k.pull * k.pull * (1.0 / 24.0);
+    const T start = 0.5 * (x.omega * k.h);
+    auto middle = turned_by(sincos(x.theta), short_increments(start + x.theta_lo));
+    middle = {unit * middle.sin, unit * middle.cos};
+    T eta = start, change{}, way{};
     for (int i = 0; i < steps; ++i) {
-        const auto half = short_increments(0.5 * at.v);
-        const auto middle = turned_by(at.angle, half);
-        const auto end = turned_by(middle, half);
-        const T sc = near_sine(middle, quarter_pull * at.angle.sin);
-        const T sd = near_sine(end, half_pull * middle.sin);
-        const T inner = middle.sin + sc;
-        const T bend = sixth_pull * (at.angle.sin + inner);
-        const T d_v = sixth_pull * ((at.angle.sin + sd) + (inner + inner));
-        at.angle = {near_sine(end, bend), near_cosine(end, bend)};
-        at.step(at.v + bend, d_v);
+        const T q = eta * eta;
+        const T sine = eta + eta * (q * (-1.0 / 6.0));
+        const T cosine = 1.0 + q * (-0.5 + q * (1.0 / 24.0));
+        const T twice = sine + sine;
+        const auto end = turned_by(middle, SinCos<T>{twice * cosine, -(twice * sine)});
+        const T m = middle.sin * (2.0 + cosine);
+        const T t = middle.cos * sine;
+        const T bend = (t - m) + (1.5 * middle.cos) * (middle.sin - t);
+        const T d_eta = (middle.sin * ((3.0 * middle.cos) * cosine + 3.375 * (middle.sin * middle.sin)) - squared * sine) - m;
+        const T rest = bend + d_eta;
+        const T half_square = (0.5 * rest) * rest;
+        middle = {end.sin + (rest * end.cos - half_square * end.sin), end.cos - (rest * end.sin + half_square * end.cos)};
+        way = way + ((eta + eta) + bend);
+        change = change + d_eta;
+        eta = start + change;
     }
-    add(x, at.way, at.change * k.per_step);
+    add(x, way, (change + change) * k.per_step);
 }
 
 /// The accelerations of a step's four stages and, if asked for, of a tangent vector. Undriven, bits are those of a drive of 0.
@@ -210,7 +214,7 @@ inline void rk4_block(const Rk4Step<T>& k, DoubleDouble<T> t, Motion<T>& x, Tang
     const T reach = 1.25 * (abs(x.omega * k.h) + (steps + 1.0) * (k.pull + abs(k.torque) + abs(k.drive)));
     const auto is_small = (reach <= short_limit) & (abs(k.drag) <= 0.125);
     const auto is_free = (k.drag == 0.0) & (k.torque == 0.0) & (k.drive == 0.0);
-    const auto is_near = is_small & is_free & (k.pull <= (has_tangent ? -1.0 : 2 * near_limit));  // near steps carry no tangent
+    const auto is_near = (reach <= near_limit) & is_free & (k.pull <= (has_tangent ? -1.0 : near_pull));  // near steps carry no tangent
 
     Motion<T> near = x, forced = x;
     if (any<T>(is_near)) near_steps(k, near, steps);

@@ -8,6 +8,7 @@
 #include "pendula/actividad3.hpp"
 #include "pendula/angle.hpp"
 #include "pendula/ensemble.hpp"
+#include "pendula/measure.hpp"
 
 #ifdef __wasm__
 #define EXPORT(name) __attribute__((export_name(#name)))
@@ -242,7 +243,48 @@ void ensembles(Hash& hash) {
         for (std::size_t i = 0; i < size * row_count; ++i) hash(Sample{0, row_theta[i], row_omega[i], row_turns[i]});
     };
     visit({size, theta, omega, alpha, beta, one(torque), drive, one(frequency), one(phase)}, Method::rk4);
+    visit({size, theta, omega, alpha, beta, one(torque), drive, one(frequency), one(phase)}, Method::taylor);
     visit({size, theta, omega, alpha, one(none), one(none), one(none), one(none), one(none)}, Method::exact);
+}
+
+// The published pendulum, regular and chaotic, over 1,000 periods of its drive: by then a last bit has become another answer.
+constexpr double strobe_frequency_of_all = 2.0 / 3, friction = 0.5, start = 0.2;
+constexpr double amplitudes[] = {0.9, 1.07, 1.15, 1.35, 1.45, 1.47, 1.5, 1.5};
+constexpr std::size_t driven = sizeof(amplitudes) / sizeof(*amplitudes);
+
+Ensemble published() {
+    static constexpr double none = 0, unit = 1;
+    const auto one = [](const double& x) { return std::span(&x, 1); };
+    return {driven, one(start), one(none), one(unit), one(friction), one(none), amplitudes, one(strobe_frequency_of_all), one(none)};
+}
+
+template <Method method>
+void thousand_periods(Hash& hash) {
+    double theta[driven], omega[driven], turns[driven];
+    section(published(), {.transient = 1000, .steps_per_period = 300, .method = method}, {.threads = 2}, {theta, omega, turns});
+    for (std::size_t i = 0; i < driven; ++i) hash(Sample{0, theta[i], omega[i], turns[i]});
+}
+
+template <Method method>
+void diagnostics(Hash& hash) {
+    const Strobe strobe{.transient = 50, .periods = 64, .steps_per_period = 300, .method = method};
+    double velocity[driven], exponent[driven], error[driven], horizon[driven];
+    double period[driven], rotation[driven], theta[driven], omega[driven];
+    mean_velocity(published(), strobe, {}, velocity);
+    lyapunov(published(), strobe, {}, {exponent, error, horizon});
+    orbits(published(), strobe, 1e-6, {}, {period, rotation, theta, omega});
+    for (std::size_t i = 0; i < driven; ++i)
+        for (double x : {velocity[i], exponent[i], error[i], horizon[i], period[i], rotation[i], theta[i], omega[i]}) hash(x);
+}
+
+void taylor_rows(Hash& hash) {
+    Random random;
+    for (int i = 0; i < 20; ++i) {
+        const Pendulum p{random(0.5, 2), random(0, 1), random(-1, 1), random(0, 2), random(0.3, 2), random(-3, 3)};
+        auto run = begin({p, {random(-10, 10), random(-3, 3)}, Method::taylor, schedule({1, 0.5, 40}), 1e-15});
+        for (Sample row; !run.is_finished();)
+            if (advance(run, 1, &row, 1000) == 1) hash(row);
+    }
 }
 
 struct Section {
@@ -261,6 +303,11 @@ constexpr Section sections[] = {{"angles", angles},
                                 {"rk4", rk4_rows},
                                 {"exact_rows", exact_rows},
                                 {"assignment", assignment},
+                                {"taylor", taylor_rows},
+                                {"thousand_periods_rk4", thousand_periods<Method::rk4>},
+                                {"thousand_periods_taylor", thousand_periods<Method::taylor>},
+                                {"diagnostics_rk4", diagnostics<Method::rk4>},
+                                {"diagnostics_taylor", diagnostics<Method::taylor>},
                                 {"ensembles_1_thread", ensembles<1>},
                                 {"ensembles_2_threads", ensembles<2>},
                                 {"ensembles_3_threads", ensembles<3>},

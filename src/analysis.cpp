@@ -14,10 +14,6 @@ namespace {
 
 constexpr double infinity = __builtin_inf();
 
-bool is_legal(double alpha, State initial) noexcept {
-    return alpha > 0 && alpha < infinity && abs(initial.theta) < infinity && abs(initial.omega) < infinity;
-}
-
 /// The power of two at or below |x| > 0, normal or not.
 double power_of_two_below(double x) noexcept {
     const double normal = abs(x) < 0x1p-1022 ? x * 0x1p54 : x;
@@ -51,6 +47,18 @@ double separatrix_time(const EnergyBalance& b, double omega) noexcept {
     return omega == 0 || way.hi <= 0 ? 10 / root : asinh(way.hi) / root;
 }
 
+const Number two_pi{two_pi_dd[0], two_pi_dd[1]};
+
+void set_oscillation(EnergyBalance& b) noexcept {
+    b.frequency = agm(b.root_alpha, sqrt(b.gap)) / two_pi;
+    b.speed = b.half_omega / b.root_alpha;
+    const double largest = abs(b.sine.hi) > abs(b.speed.hi) ? abs(b.sine.hi) : abs(b.speed.hi);
+    const double power = power_of_two_below(largest > 0x1p-1000 ? largest : 0x1p-1000);
+    const auto s = scaled(b.sine, 1 / power);
+    const auto w = scaled(b.speed, 1 / power);
+    b.k = scaled(sqrt(s * s + w * w), power);
+}
+
 /// The assignment's r of (3.8), and 1 - r^2.
 struct SeriesModulus {
     double r;
@@ -58,13 +66,17 @@ struct SeriesModulus {
 };
 
 SeriesModulus series_modulus(const EnergyBalance& b, double alpha) noexcept {
-    if (b.regime == Regime::oscillation) return {modulus_of_oscillation(b).k.hi, b.gap.hi / b.alpha};
+    if (b.regime == Regime::oscillation) return {b.k.hi, b.gap.hi / b.alpha};
     return {sqrt(alpha) / b.unit / sqrt(b.rise.hi), -(b.gap / b.rise).hi};
 }
 
 Analysis nothing() noexcept { return {Regime::oscillation, __builtin_nan(""), __builtin_nan("")}; }
 
 }  // namespace
+
+bool is_legal(double alpha, State initial) noexcept {
+    return alpha > 0 && alpha < infinity && abs(initial.theta) < infinity && abs(initial.omega) < infinity;
+}
 
 EnergyBalance balance_energy(double alpha, State initial) noexcept {
     EnergyBalance b{};
@@ -82,33 +94,22 @@ EnergyBalance balance_energy(double alpha, State initial) noexcept {
     b.gap = b.cosine * b.cosine * b.alpha - kinetic;
     const double reach = reach_of_one_ulp(b, ulp(initial.theta), ulp(initial.omega) / b.unit);
     b.regime = abs(b.gap.hi) <= reach ? Regime::separatrix : b.gap.hi > 0 ? Regime::oscillation : Regime::rotation;
+    b.root_alpha = sqrt(Number{b.alpha, 0});
+    if (b.regime == Regime::oscillation) set_oscillation(b);
+    if (b.regime == Regime::rotation) b.frequency = scaled(agm(sqrt(b.rise), sqrt(-b.gap)) / two_pi, 2.0);
     return b;
 }
 
-Modulus modulus_of_oscillation(const EnergyBalance& b) noexcept {
-    const auto speed = b.half_omega / sqrt(Number{b.alpha, 0});
-    const double largest = abs(b.sine.hi) > abs(speed.hi) ? abs(b.sine.hi) : abs(speed.hi);
-    const double power = power_of_two_below(largest > 0x1p-1000 ? largest : 0x1p-1000);
-    const auto s = scaled(b.sine, 1 / power);
-    const auto w = scaled(speed, 1 / power);
-    return {speed, scaled(sqrt(s * s + w * w), power)};
-}
-
-Number frequency(const EnergyBalance& b) noexcept {
-    const Number two_pi{two_pi_dd[0], two_pi_dd[1]};
-    if (b.regime == Regime::oscillation) return agm(sqrt(Number{b.alpha, 0}), sqrt(b.gap)) / two_pi;
-    return scaled(agm(sqrt(b.rise), sqrt(-b.gap)) / two_pi, 2.0);
+Analysis analyze(const EnergyBalance& b, double omega) noexcept {
+    if (b.regime == Regime::separatrix) return {b.regime, omega < 0 ? -pi : pi, separatrix_time(b, omega)};
+    const double tau = (Number{1, 0} / b.frequency).hi / b.unit;
+    if (b.regime == Regime::rotation) return {b.regime, pi, tau};
+    const double complement = sqrt(b.gap / Number{b.alpha, 0}).hi;
+    return {b.regime, 2 * atan2(b.k.hi, complement), tau};
 }
 
 Analysis analyze(double alpha, State initial) noexcept {
-    if (!is_legal(alpha, initial)) return nothing();
-    const auto b = balance_energy(alpha, initial);
-    if (b.regime == Regime::separatrix)
-        return {b.regime, initial.omega < 0 ? -pi : pi, separatrix_time(b, initial.omega)};
-    const double tau = (Number{1, 0} / frequency(b)).hi / b.unit;
-    if (b.regime == Regime::rotation) return {b.regime, pi, tau};
-    const double complement = sqrt(b.gap / Number{b.alpha, 0}).hi;
-    return {b.regime, 2 * atan2(modulus_of_oscillation(b).k.hi, complement), tau};
+    return is_legal(alpha, initial) ? analyze(balance_energy(alpha, initial), initial.omega) : nothing();
 }
 
 double characteristic_time(const Pendulum& p, State initial) noexcept {

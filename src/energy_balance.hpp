@@ -19,19 +19,19 @@ struct EnergyBalance {
     Number half_omega;                       ///< omega/2 [unit]
     Number rise;                             ///< kappa alpha = alpha sin^2(theta/2) + omega^2/4 [unit^2]
     Number gap;                              ///< kappa' alpha = alpha cos^2(theta/2) - omega^2/4 [unit^2]
+    Number root_alpha;                       ///< [unit]
+    Number frequency;                        ///< 1/tau of an oscillation or a rotation [unit]
+    Number speed;                            ///< of an oscillation: omega/(2 sqrt(alpha))
+    Number k;                                ///< of an oscillation: sqrt(kappa) = sin(theta_max/2), relatively precise however small
 };
 
 /// alpha > 0 and finite, initial finite.
 EnergyBalance balance_energy(double alpha, State initial) noexcept;
 
-/// omega/(2 sqrt(alpha)) of an oscillation, and k = sqrt(kappa) = sin(theta_max/2) with full relative precision however small.
-struct Modulus {
-    EnergyBalance::Number speed;
-    EnergyBalance::Number k;
-};
-Modulus modulus_of_oscillation(const EnergyBalance& balance) noexcept;
+/// `analyze` from the balance; omega tells the sense.
+Analysis analyze(const EnergyBalance& balance, double omega) noexcept;
 
-/// The closed form's rate [unit]: 1/tau of an oscillation or a rotation.
-EnergyBalance::Number frequency(const EnergyBalance& balance) noexcept;
+/// Whether `analyze` has an answer.
+bool is_legal(double alpha, State initial) noexcept;
 
 }  // namespace pendula

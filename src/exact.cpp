@@ -74,16 +74,15 @@ void set_rate(Exact& e, Number rate, double unit) noexcept {
 void set_separatrix(Exact& e, const EnergyBalance& b) noexcept {
     const double sense = e.initial.omega < 0 ? -1 : 1;
     const bool is_at_rest = e.initial.omega == 0;
-    const auto root = sqrt(Number{b.alpha, 0});
     e.phase = asinh(b.sine.hi / b.cosine.hi);
     if (is_at_rest) {  // on top, where the interval has -pi only
         e.phase = -abs(e.phase);
         e.turns = round_even((e.initial.theta + pi) * inverse_two_pi_dd[0]);
     }
     e.stretch = 1;
-    set_rate(e, is_at_rest ? Number{} : scaled(root, sense), b.unit);
+    set_rate(e, is_at_rest ? Number{} : scaled(b.root_alpha, sense), b.unit);
     e.angle_num[0] = e.angle_den[0] = e.speed_den[0] = 1;
-    e.speed_num[0] = is_at_rest ? 0 : 2 * sense * root.hi * b.unit;
+    e.speed_num[0] = is_at_rest ? 0 : 2 * sense * b.root_alpha.hi * b.unit;
 }
 
 /// F(phi)/K by Carlson's integral, s and c of phi, dn^2 = 1 - k^2 s^2. Past F = K/2 by the way left to K, c R_F(k'^2 s^2, k'^2,
@@ -104,16 +103,14 @@ double initial_phase(double s, double c, double dn_squared, double complement) n
 }
 
 void set_oscillation(Exact& e, const EnergyBalance& b) noexcept {
-    const auto root = sqrt(Number{b.alpha, 0});
-    const auto modulus = modulus_of_oscillation(b);
     const double complement = sqrt(b.gap / Number{b.alpha, 0}).hi;
-    set_rate(e, scaled(frequency(b), 2.0), b.unit);
-    set_cubics(e, modulus.k.hi, complement, 2 * (modulus.k * root).hi * b.unit);
-    if (modulus.k.hi == 0) return;
+    set_rate(e, scaled(b.frequency, 2.0), b.unit);
+    set_cubics(e, b.k.hi, complement, 2 * (b.k * b.root_alpha).hi * b.unit);
+    if (b.k.hi == 0) return;
     // The angle's own half turn has its cosine >= 0; the angle as given may lie in the other half.
     const double side = b.cosine.hi < 0 ? -1 : 1;
-    const double s = side * (b.sine / modulus.k).hi;
-    const double c = (modulus.speed / modulus.k).hi;
+    const double s = side * (b.sine / b.k).hi;
+    const double c = (b.speed / b.k).hi;
     e.phase = 0.5 * initial_phase(s, c, b.cosine.hi * b.cosine.hi, complement);
 }
 
@@ -123,7 +120,7 @@ void set_rotation(Exact& e, const EnergyBalance& b) noexcept {
     const double complement = sqrt(-b.gap / b.rise).hi;
     const double dn = (b.half_omega / sqrt(b.rise)).hi;
     const double side = b.cosine.hi < 0 ? -1 : 1;
-    set_rate(e, scaled(frequency(b), sense), b.unit);
+    set_rate(e, scaled(b.frequency, sense), b.unit);
     set_cubics(e, k, complement, 2 * sense * sqrt(b.rise).hi * b.unit);
     e.phase = 0.5 * initial_phase(side * b.sine.hi, abs(b.cosine.hi), dn * dn, complement);
 }
@@ -132,13 +129,14 @@ void set_rotation(Exact& e, const EnergyBalance& b) noexcept {
 
 Exact exact(double alpha, State initial) noexcept {
     Exact e{};
-    e.analysis = analyze(alpha, initial);
     e.initial = initial;
-    if (e.analysis.tau != e.analysis.tau) {
-        e.phase = e.rate_hi = e.turns = e.speed_num[0] = e.analysis.tau;
+    if (!is_legal(alpha, initial)) {
+        e.analysis = analyze(alpha, initial);
+        e.phase = e.rate_hi = e.turns = e.speed_num[0] = __builtin_nan("");
         return e;
     }
     const auto b = balance_energy(alpha, initial);
+    e.analysis = analyze(b, initial.omega);
     e.turns = initial.theta == pi ? 0 : split_turns(initial.theta).turns;  // `pi` lies below pi
     if (e.analysis.regime == Regime::separatrix) set_separatrix(e, b);
     if (e.analysis.regime == Regime::oscillation) set_oscillation(e, b);

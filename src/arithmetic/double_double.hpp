@@ -105,24 +105,15 @@ inline DoubleDouble<T> sqrt(DoubleDouble<T> a) {
     return fast_two_sum(root, correction);
 }
 
-/// The arithmetic-geometric mean of a >= b > 0; quadratic convergence, 10 rounds from any two doubles (DLMF 19.8).
-/// Relative error some 2^-100.
-template <class T>
-inline DoubleDouble<T> agm(DoubleDouble<T> a, DoubleDouble<T> b) {
-    for (int round = 0; round < 10; ++round) {
-        const auto mean = scaled(a + b, splat<T>(0.5));
+/// The arithmetic-geometric mean of a >= b > 0 (DLMF 19.8). Relative error some 2^-100. A difference of 2^-52 is one of 2^-107
+/// after the last mean; from any two doubles it takes at most 10 rounds to get there, from most 4 or 5.
+inline DoubleDouble<double> agm(DoubleDouble<double> a, DoubleDouble<double> b) {
+    for (int round = 0; round < 10 && a.hi - b.hi > 0x1p-52 * a.hi; ++round) {
+        const auto mean = scaled(a + b, 0.5);
         b = sqrt(a * b);
         a = mean;
     }
-    return scaled(a + b, splat<T>(0.5));
-}
-
-/// Sum of c[i] x^i in double-double, from coefficients in two arrays.
-template <class T, int n>
-inline DoubleDouble<T> horner(DoubleDouble<T> x, const DoubleDouble<T> (&c)[n]) {
-    auto sum = c[n - 1];
-    for (int i = n - 2; i >= 0; --i) sum = sum * x + c[i];
-    return sum;
+    return scaled(a + b, 0.5);
 }
 
 }  // namespace pendula::arithmetic::inline PENDULA_ISA

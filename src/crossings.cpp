@@ -95,7 +95,7 @@ Departure departure(const Crossings& search, const TaylorStep<double>& step, dou
     if (search.crossed == Crossed::theta)
         return {(2 * m.turns - level) * two_pi_dd[0] * 0.5 + (m.theta + m.theta_lo), m.omega};
     const double x = since / step.unit;
-    const double slope = kernels::tail_of_series(step.v, x, [](double a, int k) { return a * k; });
+    const double slope = kernels::tail_of_series<1>(step.v, x, [](double a, int k) { return a * k; });
     return {m.omega + m.omega_lo, slope / (step.unit * step.unit)};
 }
 
@@ -161,7 +161,7 @@ bool next_crossing(Crossings& search, double until, Crossing& crossing, double s
             if (crosses(search, at_step, until, crossing)) return true;
             if (search.cut == cut) return false;  // the crossing lies beyond `until`
         }
-        if (reaches(search.run, until) || --step_budget < 0) return false;
+        if (!goes_on_to(search.run, until) || --step_budget < 0) return false;
         step(search.run);
         cut_step(search);
     }

@@ -4,6 +4,7 @@
 #include "pendula/euler.hpp"
 #include "pendula/verlet.hpp"
 #include "rk4_scalar.hpp"
+#include "taylor_scalar.hpp"
 
 namespace pendula {
 
@@ -79,7 +80,7 @@ std::size_t taylor_rows(Trajectory& run, std::size_t n, Sample* rows, double ste
     std::size_t count = 0;
     for (; count < n && !run.is_finished(); ++count) {
         const double t = run.rows_done * run.problem.schedule.every;
-        for (; !reaches(run.taylor, t); --step_budget) {
+        for (; goes_on_to(run.taylor, t); --step_budget) {
             if (step_budget <= 0) return count;
             step(run.taylor);
         }

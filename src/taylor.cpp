@@ -10,7 +10,7 @@ using kernels::Series;
 using kernels::TaylorStep;
 
 TaylorStep<double> step_of(const Taylor& run) noexcept {
-    TaylorStep<double> step{{run.theta, run.omega, run.turns, run.theta_lo, run.omega_lo}, {run.t, run.t_lo}, run.unit, run.length, {}};
+    TaylorStep<double> step{{run.theta, run.omega, run.turns, run.theta_lo, run.omega_lo}, {run.t, run.t_lo}, run.unit, run.length, {}, run.series_1_lo};
     static_assert(sizeof step.v == sizeof run.series);
     __builtin_memcpy(step.v, run.series, sizeof step.v);
     return step;
@@ -28,6 +28,7 @@ void put_step(Taylor& run, const TaylorStep<double>& step) noexcept {
     run.t_lo = step.t.lo;
     run.unit = step.unit;
     run.length = step.length;
+    run.series_1_lo = step.v1_lo;
     __builtin_memcpy(run.series, step.v, sizeof step.v);
 }
 
@@ -69,7 +70,7 @@ void kernels::start_taylor(TaylorChunk& steps, const Chunk& chunk, double tolera
     steps.log2_fraction = reach.log2_fraction;
     for (int i = 0; i < chunk_size; ++i) {
         steps.t[i] = t[i];
-        steps.t_lo[i] = steps.length[i] = 0;
+        steps.t_lo[i] = steps.length[i] = steps.series_1_lo[i] = 0;
         steps.unit[i] = 1;
         steps.theta[i] = chunk.theta[i];
         steps.omega[i] = chunk.omega[i];
@@ -85,6 +86,15 @@ void kernels::start_taylor(TaylorChunk& steps, const Chunk& chunk, double tolera
 }
 
 bool reaches(const Taylor& run, double t) noexcept { return !((run.t - t) + (run.t_lo + run.length) < 0); }
+
+bool goes_on_to(Taylor& run, double t) noexcept {
+    if (reaches(run, t)) return false;
+    auto step = step_of(run);
+    kernels::give_up_endless(step, t);
+    if (step.length == step.length) return true;
+    put_step(run, step);
+    return false;
+}
 
 Sample at(const Taylor& run, double t) noexcept {
     const auto m = kernels::motion_at(step_of(run), (t - run.t) - run.t_lo);

@@ -5,7 +5,7 @@
 
 namespace pendula::kernels {
 
-inline constexpr int taylor_coefficients = 22;
+inline constexpr int taylor_coefficients = 26;
 
 /// The steps that members are at, as in pendula::Taylor. `start_taylor` begins them; the kernel goes on.
 struct alignas(64) TaylorChunk {
@@ -23,6 +23,7 @@ struct alignas(64) TaylorChunk {
     double omega_lo[chunk_size];
     double tangent_theta[chunk_size];
     double tangent_omega[chunk_size];
+    double series_1_lo[chunk_size];                          ///< what rounding has kept out of series[1]
     double series[taylor_coefficients][chunk_size];          ///< of omega
     double tangent_series[taylor_coefficients][chunk_size];  ///< of the displacement of theta
 };

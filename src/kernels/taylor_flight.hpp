@@ -37,7 +37,8 @@ inline TaylorStep<T> load_step(const TaylorChunk& c, int i) {
                        {from(c.t), from(c.t_lo)},
                        from(c.unit),
                        from(c.length),
-                       {}};
+                       {},
+                       from(c.series_1_lo)};
     load_series(step.v, c.series, i);
     return step;
 }
@@ -53,6 +54,7 @@ inline void store_step(TaylorChunk& c, int i, const TaylorStep<T>& step) {
     store_pack(c.turns + i, step.start.turns);
     store_pack(c.theta_lo + i, step.start.theta_lo);
     store_pack(c.omega_lo + i, step.start.omega_lo);
+    store_pack(c.series_1_lo + i, step.v1_lo);
     store_series(c.series, i, step.v);
 }
 
@@ -97,6 +99,7 @@ inline bool fly(Chunk& chunk, TaylorChunk& steps, const double* t, int most, int
     auto goes_on = ends_before(step, goal);
     for (; taken < most && any<T>(goes_on); ++taken) {
         next_step<has_tangent>(p, reach, goes_on, step, tangent);
+        give_up_endless(step, goal);
         goes_on = ends_before(step, goal);
     }
     if (taken > 0) store_step(steps, i, step);

@@ -1,9 +1,9 @@
 // Taylor's method for one pendulum or a pack of them: a step is a polynomial in time, and its end the start of the next.
 //
-// Order and length of a step follow from the tolerance as in Jorba & Zou, Experimental Mathematics 14 (2005), 3.2: the radius
-// of convergence from the last two coefficients, and the last term kept below the tolerance. Their order, -ln(tolerance)/2 + 1,
-// would be the best if a step were nothing but products of series; sines, time and length cost as much at any order, so
-// that two more pay.
+// The length of a step follows from the tolerance as in Jorba & Zou, Experimental Mathematics 14 (2005), 3.2: the radius of
+// convergence from the last two coefficients, and the last term kept below the tolerance. Their order, -ln(tolerance)/2 + 1,
+// would be the best if a step were nothing but products of series. Sines, time and length cost as much at any order, so that
+// a higher one with longer steps is faster: 25 for their 19.
 #pragma once
 
 #include "arithmetic/exponential.hpp"
@@ -19,12 +19,13 @@ struct TaylorReach {
     double log2_fraction;  ///< of the radius of convergence that a step goes
 };
 
-/// For a tolerance in (0, 1); below 2.3e-16 the precision of a double is what limits.
+/// For a tolerance in (0, 1); below 2^-52 the precision of a double is what limits.
 inline TaylorReach taylor_reach(double tolerance) {
-    const int order = -0.5 * log(tolerance) + 3.0 <= taylor_low_order ? taylor_low_order : taylor_order_limit;
+    const int order = tolerance < 1e-9 ? taylor_order_limit : taylor_low_order;
     const double bounded = tolerance < 0x1p-52 ? 0x1p-52 : tolerance;
-    // 1/16: what the polynomial leaves out is then about 1/100 of the tolerance.
-    return {order, log(bounded * 0.0625) * inverse_ln2[0] / order};
+    // What the polynomial leaves out is a quarter or so of its last term, which is held to 1/128 of the tolerance: as little
+    // as what rounding does, which carried remainders keep far below 1e-16 a step.
+    return {order, log(bounded * 0x1p-7) * inverse_ln2[0] / order};
 }
 
 /// Added to rates, so that a pendulum which nothing moves takes finite steps.
@@ -55,15 +56,26 @@ struct TaylorStep {
     T unit;             ///< a power of two near 1/rate, so that no coefficient overflows [s]
     T length;           ///< [s]
     Series<T> v;        ///< omega unit
+    T v1_lo;            ///< what rounding has kept out of v[1]
 };
 
-/// sin and cos of 2 pi x.
+/// sin and cos of hi + lo + (pi/2) quadrant, |hi + lo| <= pi/4, within 2^-56 and with what their rounding leaves.
 template <class T>
-inline SinCos<T> sincos_of_turns(DoubleDouble<T> x) {
+inline SinCos<DoubleDouble<T>> sincos_with_rest(T hi, T lo, Bits<T> quadrant) {
+    const T z = hi * hi, half = 0.5 * z, w = 1.0 - half;
+    const auto s = fast_two_sum(hi, hi * z * polynomial(z, sin_quarter) + lo * w);
+    const auto c = fast_two_sum(w, ((1.0 - w) - half) + (z * z * polynomial(z, cos_quarter) - hi * lo));
+    const auto leading = rotate_quadrants<T>({s.hi, c.hi}, quadrant), rest = rotate_quadrants<T>({s.lo, c.lo}, quadrant);
+    return {{leading.sin, rest.sin}, {leading.cos, rest.cos}};
+}
+
+/// The same of 2 pi x.
+template <class T>
+inline SinCos<DoubleDouble<T>> sincos_of_turns(DoubleDouble<T> x) {
     const T shifted = 4.0 * x.hi + rounder;
     const auto rest = two_sum(x.hi - 0.25 * (shifted - rounder), x.lo);
     const auto angle = DoubleDouble<T>{splat<T>(two_pi_dd[0]), splat<T>(two_pi_dd[1])} * rest;
-    return rotate_quadrants(sincos_quarter(angle.hi, angle.lo), bits(shifted));
+    return sincos_with_rest(angle.hi, angle.lo, bits(shifted));
 }
 
 /// 2^-n for a positive number from 2^n to 2^(n+1).
@@ -108,13 +120,13 @@ inline T taylor_length(TaylorReach reach, T theta, const Series<T>& v) {
 /// The forces at the start of a step.
 template <class T>
 inline Forces<T> taylor_forces(const TaylorPendulum<T>& p, DoubleDouble<T> t, T unit) {
-    Forces<T> f{p.beta * unit, (p.torque * unit) * unit, T{}, T{}, T{}};
+    Forces<T> f{p.beta * unit, (p.torque * unit) * unit, {}, T{}, T{}};
     if (any<T>(p.drive_amplitude != 0.0)) {
         const auto turns = (turned(t.hi, p.turn_rate) + t.lo * p.turn_rate.hi) + p.turn_start;
         const auto r = sincos_of_turns(turns);
         const T amplitude = (p.drive_amplitude * unit) * unit, frequency = p.drive_frequency * unit;
-        f.drive = amplitude * r.cos;
-        f.drive_slope = -(amplitude * frequency * r.sin);
+        f.drive = r.cos * amplitude;
+        f.drive_slope = -(amplitude * frequency * r.sin.hi);
         f.square_frequency = frequency * frequency;
     }
     return f;
@@ -129,14 +141,15 @@ inline void taylor_series(const TaylorPendulum<T>& p, const Forces<T>& f, T sine
     Series<T> driven_v{}, driven_C{};
     if (any<T>(is_driven)) {
         driven_v[0] = v[0];
+        driven_v[1] = v[1];
         driven_C[0] = C[0];
         driven_series<order>(f, sine, driven_v, driven_C);
     }
     // Without friction and torque both ways give the same bits, but for signs of zeros that no result shows.
     if (any<T>(is_steady))
-        undriven_series<Forcing::steady, order>(f, sine, v, C);
+        undriven_series<Forcing::steady, order>(f, v, C);
     else
-        undriven_series<Forcing::none, order>(f, sine, v, C);
+        undriven_series<Forcing::none, order>(f, v, C);
     if (!any<T>(is_driven)) return;
     for (int k = 1; k <= order; ++k) {
         v[k] = select<T>(is_driven, driven_v[k], v[k]);
@@ -149,29 +162,36 @@ template <class T>
 inline void expand(const TaylorPendulum<T>& p, TaylorReach reach, TaylorStep<T>& step, Series<T>& C) {
     step.unit = power_below_inverse(abs(step.start.omega) + p.rate);
     const auto forces = taylor_forces(p, step.t, step.unit);
-    const auto r = sincos(step.start.theta);
+    const auto angle = reduce_to_quarter_turn(step.start.theta);
+    const auto r = sincos_with_rest(angle.hi, angle.lo + step.start.theta_lo, angle.quadrant);
     const T pull = (p.alpha * step.unit) * step.unit;
-    const T sine = pull * (r.sin + r.cos * step.start.theta_lo);
-    C[0] = pull * (r.cos - r.sin * step.start.theta_lo);
+    const auto sine = r.sin * pull;
+    C[0] = pull * r.cos.hi;
     step.v[0] = step.start.omega * step.unit;
+    // Acceleration and velocity make most of a step's change: rounding of the former would be that of all.
+    auto acceleration = -sine;
+    if (any<T>((p.beta != 0.0) | (p.torque != 0.0) | (p.drive_amplitude != 0.0)))
+        acceleration = ((forces.drive + forces.torque) - two_prod(forces.drag, step.v[0])) - sine;
+    step.v[1] = acceleration.hi;
+    step.v1_lo = acceleration.lo;
     if (reach.order == taylor_order_limit)
-        taylor_series<taylor_order_limit>(p, forces, sine, step.v, C);
+        taylor_series<taylor_order_limit>(p, forces, sine.hi, step.v, C);
     else
-        taylor_series<taylor_low_order>(p, forces, sine, step.v, C);
+        taylor_series<taylor_low_order>(p, forces, sine.hi, step.v, C);
     // A motion that is not finite has no length.
     step.length = taylor_length(reach, step.start.theta, step.v) * step.unit + 0.0 * step.v[reach.order];
 }
 
-/// The sum of factor(k) a[k] x^(k - 1) for k from 1 on: four chains of dependent operations side by side.
-template <class T, class Factor>
+/// The sum of factor(k) a[k] x^(k - first) for k from `first` on: four chains of dependent operations side by side.
+template <int first, class T, class Factor>
 inline T tail_of_series(const Series<T>& a, T x, Factor factor) {
     constexpr int last = taylor_order_limit;
     const T square = x * x, fourth = square * square;
     T sum[4];
     for (int i = 0; i < 4; ++i) {
-        const int top = last - (last - 1 - i) % 4;
+        const int top = last - (last - first - i) % 4;
         sum[i] = factor(a[top], top);
-        for (int k = top - 4; k > 0; k -= 4) sum[i] = sum[i] * fourth + factor(a[k], k);
+        for (int k = top - 4; k >= first; k -= 4) sum[i] = sum[i] * fourth + factor(a[k], k);
     }
     return (sum[0] + sum[1] * x) + square * (sum[2] + sum[3] * x);
 }
@@ -179,15 +199,16 @@ inline T tail_of_series(const Series<T>& a, T x, Factor factor) {
 /// The motion at a time of the step, given since its start.
 template <class T>
 inline Motion<T> motion_at(const TaylorStep<T>& step, T since) {
-    const T x = since / step.unit;
-    const T change = x * tail_of_series(step.v, x, [](T a, int) { return a; });
-    const T bend = (x * x) * tail_of_series(step.v, x, [](T a, int k) { return a * (1.0 / (k + 1)); });
+    const T per_unit = 1.0 / step.unit, x = since * per_unit;
+    const T change = (x * x) * tail_of_series<2>(step.v, x, [](T a, int) { return a; }) + step.v1_lo * x;
+    const T bend = (x * x) * tail_of_series<1>(step.v, x, [](T a, int k) { return a * (1.0 / (k + 1)); });
     const Motion<T>& start = step.start;
-    // The first term is large, so that its rounding is kept too.
-    const auto way = two_prod(step.v[0], x);
-    const auto theta = two_sum(start.theta, way.hi);
-    Motion<T> m{theta.hi, start.omega, start.turns, theta.lo + (way.lo + (start.theta_lo + start.omega_lo * since)), start.omega_lo};
-    add(m, bend, change / step.unit);
+    // The first terms are large, so that their rounding is kept too.
+    const auto way = two_prod(step.v[0], x), gain = two_prod(step.v[1], x);
+    const auto theta = two_sum(start.theta, way.hi), omega = two_sum(start.omega, gain.hi * per_unit);
+    Motion<T> m{theta.hi, omega.hi, start.turns, theta.lo + (way.lo + (start.theta_lo + start.omega_lo * since)),
+                omega.lo + (start.omega_lo + gain.lo * per_unit)};
+    add(m, bend, change * per_unit);
     return m;
 }
 
@@ -202,6 +223,17 @@ inline void go_to_end(TaylorStep<T>& step) {
 template <class T>
 inline Mask<T> ends_before(const TaylorStep<T>& step, T t) {
     return (step.t.hi - t) + (step.t.lo + step.length) < 0.0;
+}
+
+/// Makes NaN of a motion that more than 2^53 steps of this length would take to time t.
+template <class T>
+inline void give_up_endless(TaylorStep<T>& step, T t) {
+    const auto is_endless = (step.length > 0.0) & (step.length < (t - step.t.hi) * 0x1p-53);
+    if (!any<T>(is_endless)) return;
+    const T nan = splat<T>(__builtin_nan(""));
+    step.length = select(is_endless, nan, step.length);
+    step.start.theta = select(is_endless, nan, step.start.theta);
+    step.start.omega = select(is_endless, nan, step.start.omega);
 }
 
 /// A displacement at a step's start, and its theta as a polynomial in x.
@@ -224,9 +256,9 @@ inline void expand_tangent(const TaylorPendulum<T>& p, int order, T unit, const 
 /// The displacement at a time of the step, given since its start.
 template <class T>
 inline Tangent<T> tangent_at(const TangentStep<T>& tangent, T unit, T since) {
-    const T x = since / unit;
-    return {tangent.start.theta + x * tail_of_series(tangent.u, x, [](T a, int) { return a; }),
-            tail_of_series(tangent.u, x, [](T a, int k) { return a * (k + 0.0); }) / unit};
+    const T per_unit = 1.0 / unit, x = since * per_unit;
+    return {tangent.start.theta + x * tail_of_series<1>(tangent.u, x, [](T a, int) { return a; }),
+            tail_of_series<1>(tangent.u, x, [](T a, int k) { return a * (k + 0.0); }) * per_unit};
 }
 
 }  // namespace pendula::kernels::inline PENDULA_ISA

@@ -9,7 +9,7 @@
 // orders share what they load: their pairs of factors differ by one place.
 #pragma once
 
-#include "arithmetic/pack.hpp"
+#include "arithmetic/double_double.hpp"
 
 namespace pendula::kernels::inline PENDULA_ISA {
 
@@ -17,7 +17,7 @@ using namespace arithmetic;
 
 /// The two orders that there are; odd. The number of terms is a constant of the code: it is worth a third of the time.
 inline constexpr int taylor_low_order = 13;
-inline constexpr int taylor_order_limit = 21;
+inline constexpr int taylor_order_limit = 25;
 
 /// Coefficients of the powers of time; 0 above the order.
 template <class T>
@@ -31,8 +31,8 @@ template <class T>
 struct Forces {
     T drag;
     T torque;
-    T drive;              ///< at the beginning of the step
-    T drive_slope;        ///< its derivative
+    DoubleDouble<T> drive;  ///< at the beginning of the step
+    T drive_slope;          ///< its derivative
     T square_frequency;
 };
 
@@ -108,12 +108,10 @@ inline void undriven_orders(const Forces<T>& f, T half_square_before, Series<T>&
     if constexpr (k + 3 < order) undriven_orders<forcing, order, k + 2>(f, half.second, v, C);
 }
 
-/// v up to `order` from v[0], and C up to `order` - 2 from C[0].
+/// v up to `order` from v[0] and v[1], and C up to `order` - 2 from C[0].
 template <Forcing forcing, int order, class T>
-inline void undriven_series(const Forces<T>& f, T sine, Series<T>& v, Series<T>& C) {
-    const T half = 0.5 * (v[0] * v[0]);
-    v[1] = forcing == Forcing::none ? -sine : f.torque - sine - f.drag * v[0];
-    const T next_half = v[0] * v[1];
+inline void undriven_series(const Forces<T>& f, Series<T>& v, Series<T>& C) {
+    const T half = 0.5 * (v[0] * v[0]), next_half = v[0] * v[1];
     C[1] = undriven_cosine<forcing>(f, next_half, half, v[0], 1);
     v[2] = undriven_coefficient<forcing>(f, v[0] * C[0], v[1], 2);
     v[3] = undriven_coefficient<forcing>(f, pair_of(v, C, 0, 1), v[2], 3);
@@ -147,14 +145,13 @@ inline void driven_orders(const Forces<T>& f, DrivenSeries<T>& x) {
     if constexpr (k + 3 < order) driven_orders<order, k + 2>(f, x);
 }
 
-/// v up to `order` from v[0], and C up to `order` - 1 from C[0].
+/// v up to `order` from v[0] and v[1], and C up to `order` - 1 from C[0] and S[0].
 template <int order, class T>
 inline void driven_series(const Forces<T>& f, T sine, Series<T>& v, Series<T>& C) {
     DrivenSeries<T> x{v, C, {}, {}};
     x.S[0] = sine;
-    x.drive[0] = f.drive;
+    x.drive[0] = f.drive.hi;
     x.drive[1] = f.drive_slope;
-    v[1] = (f.torque + f.drive) - sine - f.drag * v[0];
     driven_coefficient(f, v[0] * C[0], v[0] * sine, 1, x);
     driven_coefficient(f, pair_of(v, C, 0, 1), pair_of(v, x.S, 0, 1), 2, x);
     driven_orders<order, 2>(f, x);

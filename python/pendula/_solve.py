@@ -74,6 +74,8 @@ def solve(
         times = Times(one_axis(t), 0.0, 0.0, 0.0)
     else:
         times = at_times(one_axis(t), step)
+        if times.first > 0 and method in ("euler", "verlet"):
+            raise ValueError(f"t must begin at 0 with method {method}, got {times.first}")
     if method == "exact":
         theta, omega, turns = _core.states(**pendulums.closed_form(), t=times.t)
     else:

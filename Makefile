@@ -3,9 +3,9 @@
 run_needs = g++ cmake ninja-build libcli11-dev
 test_needs = $(bench_needs) libgtest-dev pkg-config nodejs \
 	clang-19 lld-19 libclang-rt-19-dev wasi-libc libc++-19-dev-wasm32 libc++abi-19-dev-wasm32 libclang-rt-19-dev-wasm32 \
-	qemu-user g++-aarch64-linux-gnu
+	qemu-user g++-aarch64-linux-gnu gnuplot-nox
 bench_needs = $(run_needs) python3-venv libbenchmark-dev libboost-dev libgsl-dev
-figures_needs = $(run_needs) gnuplot-nox
+figures_needs = $(run_needs) python3-venv gnuplot-nox
 
 # Built under build/python, so that a second time is quick.
 install_package = .venv/bin/pip install --quiet --no-build-isolation .
@@ -49,6 +49,12 @@ bench: .stamps/bench .stamps/peers
 figures: .stamps/figures run
 	mkdir -p docs/figures
 	gnuplot -c examples/actividad3.gp docs/figures/actividad3.svg
+	python3 -m venv .venv
+	.venv/bin/pip install --quiet '.[plot]'
+	mkdir -p docs/gallery
+	for script in examples/gallery/*.py; do \
+		MATPLOTLIBRC=examples/gallery SOURCE_DATE_EPOCH=0 .venv/bin/python $$script docs/gallery || exit 1; \
+	done
 
 clean:
 	rm -rf build out .venv .stamps

@@ -1,4 +1,4 @@
-"""`pendula check` tells right tables from wrong ones, and what is wrong with these, for programs of many styles and mistakes."""
+"""`pendula check` tells right tables from wrong ones, and what is wrong, for programs of many styles and mistakes."""
 
 import shutil
 import subprocess

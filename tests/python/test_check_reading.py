@@ -40,7 +40,7 @@ def test_all_spellings_are_one_table(style, end, lead):
         ("5.", 5),
         ("1e-3", 0.001),
         ("1.25D+02", 125),
-        ("−2", -2),  # noqa: RUF001, the minus sign of a word processor
+        ("−2", -2),
         ("+7", 7),
         ("nan", np.nan),
         ("-nan(ind)", np.nan),

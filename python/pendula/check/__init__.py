@@ -5,4 +5,16 @@ from pendula.check._findings import Finding
 from pendula.check._judge import Judgement, judge
 from pendula.check._reading import Table, UnreadableError, decoded, read_file, tables
 
-__all__ = ["Asked", "Finding", "Judgement", "Start", "Table", "UnreadableError", "asked", "decoded", "judge", "read_file", "tables"]
+__all__ = [
+    "Asked",
+    "Finding",
+    "Judgement",
+    "Start",
+    "Table",
+    "UnreadableError",
+    "asked",
+    "decoded",
+    "judge",
+    "read_file",
+    "tables",
+]

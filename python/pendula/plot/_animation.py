@@ -49,6 +49,9 @@ def animate(solution: Solution, *, figure: Figure | None = None, speed: float = 
     (bob,) = swing.plot([], [], "o", color=VERMILION, markersize=16)
     clock = swing.text(0.02, 0.98, "", transform=swing.transAxes, va="top")
 
+    figure.draw_without_rendering()
+    figure.set_layout_engine("none")  # which would lay out every frame anew
+
     def draw(row: int) -> tuple[Artist, ...]:
         past = slice(max(0, row - TRAIL), row + 1)
         trail.set_data(x[past], y[past])

@@ -59,9 +59,10 @@ def label(name: str | None, values: Any = None) -> str:
     return LABELS.get(name, name)
 
 
-def angle_axis(axis: Any) -> None:
-    """One turn, with ticks at the quarters of it."""
-    axis.set_view_interval(-np.pi, np.pi, ignore=True)
+def angle_axis(ax: Axes, which: str) -> None:
+    """One turn along x or y, with ticks at the quarters of it."""
+    ax.set(**{f"{which}lim": (-np.pi, np.pi)})
+    axis: Any = getattr(ax, f"{which}axis")
     axis.set_ticks(np.pi * np.array([-1, -0.5, 0, 0.5, 1]), ["−π", "−π/2", "0", "π/2", "π"])
 
 

@@ -32,7 +32,7 @@ def phase_portrait(
     # A line that is not handed a colour takes the next of the axes' cycle.
     for theta, omega, turns in one_by_one(solution, solution.theta, solution.omega, solution.turns):
         ax.plot(*broken(theta, turns, omega), **line)
-    angle_axis(ax.xaxis)
+    angle_axis(ax, "x")
     ax.margins(y=0.08)
     if separatrix and solution.parameters.is_conservative:
         _draw_separatrix(ax, _first(solution.parameters.alpha))

@@ -17,7 +17,7 @@ def section(theta: npt.ArrayLike, omega: npt.ArrayLike, *, ax: Axes | None = Non
     """Points of a stroboscopic section: ω against θ in [-π, π). points: passed on to matplotlib's `plot`."""
     ax = axes(ax)
     _dots(ax, theta, omega, points)
-    angle_axis(ax.xaxis)
+    angle_axis(ax, "x")
     ax.set_xlabel(LABELS["theta"])
     ax.set_ylabel(LABELS["omega"])
     return ax
@@ -43,7 +43,7 @@ def bifurcation(
     ax.set_xlabel(label(names[0], parameter))
     ax.set_ylabel(label(names[1], values))
     if ax.get_ylabel() == LABELS["theta"]:
-        angle_axis(ax.yaxis)
+        angle_axis(ax, "y")
     return ax
 
 

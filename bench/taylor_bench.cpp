@@ -1,0 +1,104 @@
+// Taylor's method at a tolerance of 1e-15, one trajectory and ensembles; its peer, heyoka, is in peers_taylor.py. An item is a unit
+// of time of one trajectory.
+#include <benchmark/benchmark.h>
+
+#include <string>
+#include <vector>
+
+#include "counted.hpp"
+#include "kernels/taylor_kernel.hpp"
+#include "pendula/ensemble.hpp"
+#include "reference_table.hpp"
+
+namespace {
+
+using namespace pendula;
+
+constexpr double span = 100, tolerance = 1e-15, released = 1.5;
+constexpr std::size_t members = 256;
+
+struct Run {
+    const char* name;
+    Pendulum pendulum;
+};
+
+constexpr Run runs[] = {{"undamped", {}}, {"driven", {.alpha = 1, .beta = 0.5, .drive_amplitude = 1.15, .drive_frequency = 2.0 / 3}}};
+
+/// What a unit of time needs at least: a step's multiplications and additions over its length.
+void count_operations(benchmark::State& state, const Run& run) {
+    using bench::Counted;
+    const Pendulum& p = run.pendulum;
+    const auto d = kernels::taylor_pendulum(p.alpha, p.beta, p.torque, p.drive_amplitude, p.drive_frequency, p.drive_phase);
+    const kernels::TaylorPendulum<Counted> k{d.alpha, d.beta, d.torque, d.drive_amplitude, d.drive_frequency, {d.turn_rate.hi, d.turn_rate.lo},
+                                             {d.turn_start.hi, d.turn_start.lo}, d.rate};
+    const auto reach = kernels::taylor_reach(tolerance);
+    kernels::TaylorStep<Counted> step{};
+    kernels::Series<Counted> cosine{};
+    step.start.theta = released;
+    step.start.omega = 0.3;
+    step.t.hi = 7.7;
+    Counted::trace.clear();
+    expand(k, reach, step, cosine);
+    go_to_end(step);
+    const auto done = bench::operations_behind({step.start.theta, step.start.omega, step.start.theta_lo, step.start.omega_lo});
+    // The mean length, of a whole run.
+    auto trajectory = taylor(p, {released, 0}, tolerance);
+    double steps = 0;
+    for (; !reaches(trajectory, span); ++steps) pendula::step(trajectory);
+    state.counters["multiplications"] = done.multiplications * steps / span;
+    state.counters["additions"] = done.additions * steps / span;
+}
+
+/// The largest error over the driven pendulums of known solution, up to t = 50.
+double largest_error() {
+    reference::Largest largest;
+    Taylor run;
+    for (const auto& r : reference::table("driven.txt")) {
+        if (r.words[0] == "problem") {
+            run = taylor({r[0], r[1], r[2], r[3], r[4], r[5]}, {r[6], r[7]}, tolerance);
+            continue;
+        }
+        while (!reaches(run, r[0])) step(run);
+        const auto s = at(run, r[0]);
+        largest(reference::angle_error(s.theta, s.turns, r.value(1), 0));
+        largest(reference::error(s.omega, r.value(3)));
+    }
+    return largest.value;
+}
+
+void one(benchmark::State& state, const Run& run) {
+    for (auto _ : state) {
+        auto trajectory = taylor(run.pendulum, {released, 0}, tolerance);
+        while (!reaches(trajectory, span)) step(trajectory);
+        benchmark::DoNotOptimize(at(trajectory, span));
+    }
+    state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(span));
+    state.counters["error"] = largest_error();
+}
+
+void ensemble(benchmark::State& state, const Run& run) {
+    std::vector<double> theta(members), end(members), speed(members), turns(members);
+    for (std::size_t i = 0; i < members; ++i) theta[i] = released + static_cast<double>(i) / members;
+    const auto all = [](const double& x) { return std::span(&x, 1); };
+    const Pendulum& p = run.pendulum;
+    const double still = 0;
+    const Ensemble e{members, theta, all(still), all(p.alpha), all(p.beta), all(p.torque), all(p.drive_amplitude), all(p.drive_frequency), all(p.drive_phase)};
+    const EnsembleTimes times{.first = all(span), .every = all(span), .rows = 1};
+    for (auto _ : state) {
+        solve(e, Method::taylor, tolerance, times, {.threads = 1}, {end.data(), speed.data(), turns.data()});
+        benchmark::ClobberMemory();
+    }
+    state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(span) * static_cast<std::int64_t>(members));
+    count_operations(state, run);
+    state.counters["error"] = largest_error();
+}
+
+[[maybe_unused]] const bool is_registered = [] {
+    for (const Run& run : runs) {
+        benchmark::RegisterBenchmark((std::string("taylor_") + run.name + "/pendula").c_str(), one, run);
+        benchmark::RegisterBenchmark((std::string("taylor_ensemble_") + run.name + "/pendula").c_str(), ensemble, run);
+    }
+    return true;
+}();
+
+}  // namespace

@@ -12,8 +12,9 @@ from pendula.check._asked import PERIOD, ROUNDING, Asked, Start, closed_form, me
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-FINE_ROWS = 4000  # of methods that take steps, between which their errors are interpolated
-MOST_STEPS = 1 << 22  # of methods that take steps
+    from pendula import Solution
+
+MOST_STEPS = 1 << 20  # of a run whose every step is kept
 MOST_SINGLE_STEPS = 1 << 16  # each is a call of the core
 SINGLE = float(np.finfo(np.float32).eps)
 DEGREE = 180 / np.pi
@@ -55,11 +56,6 @@ def right(start: Start, problem: Asked, t: Any) -> Motion:
     return Motion(theta, omega, *slacks)
 
 
-def exactly(start: Start, _problem: Asked, t: Any) -> Motion:
-    """The closed form of another pendulum."""
-    return Motion(*closed_form(start, t))
-
-
 def later(steps: float, rows: float) -> Callable[[Start, Asked, Any], Any]:
     """Times some steps and rows later than those printed."""
     return lambda _start, problem, t: t + steps * problem.dt + rows * problem.every
@@ -75,16 +71,17 @@ def of_rows(_start: Start, problem: Asked, t: Any) -> Any:
     return np.arange(t.size) * problem.every
 
 
-def nearly(start: Start, _problem: Asked, t: Any) -> Motion:
-    """The closed form, within what a period that is not quite right makes of it."""
-    theta, omega = closed_form(start, t)
-    return Motion(theta, omega, *_differences(start, t * (1 + PERIOD), theta, omega))
+def nearly(start: Start, problem: Asked, t: Any) -> Motion:
+    """The closed form, within what a period that is not quite right makes of it, too."""
+    motion = right(start, problem, t)
+    theta_off, omega_off = _differences(start, t * (1 + PERIOD), motion.theta, motion.omega)
+    return Motion(motion.theta, motion.omega, motion.theta_slack + theta_off, motion.omega_slack + omega_off)
 
 
-def upside_down(start: Start, _problem: Asked, t: Any) -> Motion:
+def upside_down(start: Start, problem: Asked, t: Any) -> Motion:
     """With the acceleration's sign wrong the pendulum is one that hangs from where the top was."""
-    theta, omega = closed_form(start._replace(theta0=start.theta0 + np.pi), t)
-    return Motion(_core.wrap(theta - np.pi), omega)
+    motion = right(start._replace(theta0=start.theta0 + np.pi), problem, t)
+    return motion._replace(theta=_core.wrap(motion.theta - np.pi))
 
 
 def straightened(start: Start, _problem: Asked, t: Any) -> Motion:
@@ -96,17 +93,21 @@ def straightened(start: Start, _problem: Asked, t: Any) -> Motion:
 def by_euler(start: Start, problem: Asked, t: Any) -> Motion | None:
     """Euler's method at the problem's step."""
     run = _by_steps(start, _step(start, problem), t, "euler")
-    return run and _mistaken(start, t, *run(t))
+    if run is None:
+        return None
+    return _mistaken(start, t, np.interp(t, run.t, run.unwrapped), np.interp(t, run.t, run.omega))
 
 
 def by_euler_cromer(start: Start, problem: Asked, t: Any) -> Motion | None:
-    """Euler's method with the new velocity: Verlet's, with velocities of half a step before."""
+    """Euler's method with the new velocity: the angles are those of Verlet's, the velocities what lies between two of them."""
     step = _step(start, problem)
-    half = step / 2
-    instant = half / 1000  # so short that acceleration is constant
-    kick = (closed_form(start, instant)[1] - start.omega0) * (half / instant)
+    instant = step / 1000  # so short that acceleration is constant
+    kick = (closed_form(start, instant)[1] - start.omega0) * (step / 2 / instant)
     run = _by_steps(start._replace(omega0=start.omega0 + float(kick)), step, t, "verlet")
-    return run and _mistaken(start, t, run(t)[0], np.where(t < half, start.omega0, run(t - half)[1]))
+    if run is None:
+        return None
+    omega = np.append(start.omega0, np.diff(run.unwrapped) / step)
+    return _mistaken(start, t, np.interp(t, run.t, run.unwrapped), np.interp(t, run.t, omega))
 
 
 def in_single_precision(start: Start, problem: Asked, t: Any) -> Motion | None:
@@ -138,14 +139,12 @@ def _step(start: Start, problem: Asked) -> float:
     return problem.dt * start.tau / problem.tau
 
 
-def _by_steps(start: Start, step: float, t: Any, method: str) -> Callable[[Any], tuple[Any, Any]] | None:
-    """(theta, omega) at any times by a method of this step, interpolated where there are more steps than needed."""
+def _by_steps(start: Start, step: float, t: Any, method: str) -> Solution | None:
+    """Every step of a method, to beyond the last of the times."""
     last = float(t.max())
     if not 0 < last / step <= MOST_STEPS:
         return None
-    every = max(1, round(last / step / FINE_ROWS)) * step
-    run = solve(start.theta0, start.omega0, alpha=start.alpha, every=every, until=last + 2 * every, dt=step, method=method)
-    return lambda times: (_core.wrap(np.interp(times, run.t, run.unwrapped)), np.interp(times, run.t, run.omega))
+    return solve(start.theta0, start.omega0, alpha=start.alpha, every=step, until=last + 2 * step, dt=step, method=method)
 
 
 def _differences(start: Start, t: Any, theta: Any, omega: Any) -> tuple[Any, Any]:
@@ -157,7 +156,7 @@ def _differences(start: Start, t: Any, theta: Any, omega: Any) -> tuple[Any, Any
 def _mistaken(start: Start, t: Any, theta: Any, omega: Any) -> Motion:
     """A motion by a worse method, within a twentieth of what is worse: programs differ in where their steps end."""
     slacks = (np.maximum.accumulate(each) / 20 for each in _differences(start, t, theta, omega))
-    return Motion(theta, omega, *slacks)
+    return Motion(_core.wrap(theta), omega, *slacks)
 
 
 def _as_given(start: Start) -> Start:
@@ -167,26 +166,26 @@ def _as_given(start: Start) -> Start:
 # In the order in which they are believed, where several explain a table.
 EXPLANATIONS = (
     Explanation("", _as_given, right),
-    Explanation("theta0 in degrees", lambda s: s._replace(theta0=s.theta0 * DEGREE), exactly),
-    Explanation("omega0 in degrees", lambda s: s._replace(omega0=s.omega0 * DEGREE), exactly),
-    Explanation("both in degrees", lambda s: Start(s.theta0 * DEGREE, s.omega0 * DEGREE, s.alpha), exactly),
-    Explanation("theta0 as degrees", lambda s: s._replace(theta0=s.theta0 / DEGREE), exactly),
-    Explanation("omega0 as degrees", lambda s: s._replace(omega0=s.omega0 / DEGREE), exactly),
-    Explanation("both as degrees", lambda s: Start(s.theta0 / DEGREE, s.omega0 / DEGREE, s.alpha), exactly),
+    Explanation("theta0 in degrees", lambda s: s._replace(theta0=s.theta0 * DEGREE), right),
+    Explanation("omega0 in degrees", lambda s: s._replace(omega0=s.omega0 * DEGREE), right),
+    Explanation("both in degrees", lambda s: Start(s.theta0 * DEGREE, s.omega0 * DEGREE, s.alpha), right),
+    Explanation("theta0 as degrees", lambda s: s._replace(theta0=s.theta0 / DEGREE), right),
+    Explanation("omega0 as degrees", lambda s: s._replace(omega0=s.omega0 / DEGREE), right),
+    Explanation("both as degrees", lambda s: Start(s.theta0 / DEGREE, s.omega0 / DEGREE, s.alpha), right),
     Explanation("euler", _as_given, by_euler),
     Explanation("euler cromer", _as_given, by_euler_cromer),
     Explanation("straightened", _as_given, straightened),
-    Explanation("other sign of omega0", lambda s: s._replace(omega0=-s.omega0), exactly),
-    Explanation("other sign of theta0", lambda s: s._replace(theta0=-s.theta0), exactly),
+    Explanation("other sign of omega0", lambda s: s._replace(omega0=-s.omega0), right),
+    Explanation("other sign of theta0", lambda s: s._replace(theta0=-s.theta0), right),
     Explanation("upside down", _as_given, upside_down),
-    Explanation("root of alpha", lambda s: s._replace(alpha=s.alpha**0.5), exactly),
-    Explanation("square of alpha", lambda s: s._replace(alpha=s.alpha**2), exactly),
-    Explanation("alpha of 1", lambda s: s._replace(alpha=1.0), exactly),
-    Explanation("a step late", _as_given, exactly, later(1, 0)),
-    Explanation("a step early", _as_given, exactly, later(-1, 0)),
-    Explanation("a row late", _as_given, exactly, later(0, 1)),
-    Explanation("a row early", _as_given, exactly, later(0, -1)),
-    Explanation("times in periods", _as_given, exactly, in_periods),
+    Explanation("root of alpha", lambda s: s._replace(alpha=s.alpha**0.5), right),
+    Explanation("square of alpha", lambda s: s._replace(alpha=s.alpha**2), right),
+    Explanation("alpha of 1", lambda s: s._replace(alpha=1.0), right),
+    Explanation("a step late", _as_given, right, later(1, 0)),
+    Explanation("a step early", _as_given, right, later(-1, 0)),
+    Explanation("a row late", _as_given, right, later(0, 1)),
+    Explanation("a row early", _as_given, right, later(0, -1)),
+    Explanation("times in periods", _as_given, right, in_periods),
     Explanation("single precision", _as_given, in_single_precision),
     Explanation("times", _as_given, nearly, of_rows),
 )

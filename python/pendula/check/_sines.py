@@ -29,7 +29,7 @@ def slack(start: Start, t: Any) -> Any:
 
     The cosine's last bit is δ of θM, and √(2δ) of the phase where θ0 is θM.
     """
-    theta_max, tau = analyze(start.theta0, start.omega0, alpha=start.alpha)[1:]
+    theta_max, tau = np.abs(analyze(start.theta0, start.omega0, alpha=start.alpha)[1:])
     if theta_max == 0:
         return np.zeros_like(t)
     delta = min(1.0, 4 * EPSILON / (theta_max * max(float(np.sin(theta_max)), EPSILON)))

@@ -1,5 +1,5 @@
-// Taylor's method at a tolerance of 1e-15, one trajectory and ensembles; its peer, heyoka, is in peers_taylor.py. An item is a unit
-// of time of one trajectory.
+// Taylor's method at a tolerance of 1e-15, one trajectory and ensembles; its peer, heyoka, is in peers_taylor.py. An item is a
+// unit of time of one trajectory.
 #include <benchmark/benchmark.h>
 
 #include <string>
@@ -22,15 +22,22 @@ struct Run {
     Pendulum pendulum;
 };
 
-constexpr Run runs[] = {{"undamped", {}}, {"driven", {.alpha = 1, .beta = 0.5, .drive_amplitude = 1.15, .drive_frequency = 2.0 / 3}}};
+constexpr Run runs[] = {{"undamped", {}},
+                        {"driven", {.alpha = 1, .beta = 0.5, .drive_amplitude = 1.15, .drive_frequency = 2.0 / 3}}};
 
 /// What a unit of time needs at least: a step's multiplications and additions over its length.
 void count_operations(benchmark::State& state, const Run& run) {
     using bench::Counted;
     const Pendulum& p = run.pendulum;
     const auto d = kernels::taylor_pendulum(p.alpha, p.beta, p.torque, p.drive_amplitude, p.drive_frequency, p.drive_phase);
-    const kernels::TaylorPendulum<Counted> k{d.alpha, d.beta, d.torque, d.drive_amplitude, d.drive_frequency, {d.turn_rate.hi, d.turn_rate.lo},
-                                             {d.turn_start.hi, d.turn_start.lo}, d.rate};
+    const kernels::TaylorPendulum<Counted> k{d.alpha,
+                                             d.beta,
+                                             d.torque,
+                                             d.drive_amplitude,
+                                             d.drive_frequency,
+                                             {d.turn_rate.hi, d.turn_rate.lo},
+                                             {d.turn_start.hi, d.turn_start.lo},
+                                             d.rate};
     const auto reach = kernels::taylor_reach(tolerance);
     kernels::TaylorStep<Counted> step{};
     kernels::Series<Counted> cosine{};
@@ -82,7 +89,15 @@ void ensemble(benchmark::State& state, const Run& run) {
     const auto all = [](const double& x) { return std::span(&x, 1); };
     const Pendulum& p = run.pendulum;
     const double still = 0;
-    const Ensemble e{members, theta, all(still), all(p.alpha), all(p.beta), all(p.torque), all(p.drive_amplitude), all(p.drive_frequency), all(p.drive_phase)};
+    const Ensemble e{members,
+                     theta,
+                     all(still),
+                     all(p.alpha),
+                     all(p.beta),
+                     all(p.torque),
+                     all(p.drive_amplitude),
+                     all(p.drive_frequency),
+                     all(p.drive_phase)};
     const EnsembleTimes times{.first = all(span), .every = all(span), .rows = 1};
     for (auto _ : state) {
         solve(e, Method::taylor, tolerance, times, {.threads = 1}, {end.data(), speed.data(), turns.data()});

@@ -92,8 +92,7 @@ struct Departure {
 
 Departure departure(const Crossings& search, const TaylorStep<double>& step, double since, double level) noexcept {
     const auto m = motion_at(step, since);
-    if (search.crossed == Crossed::theta)
-        return {(2 * m.turns - level) * two_pi_dd[0] * 0.5 + (m.theta + m.theta_lo), m.omega};
+    if (search.crossed == Crossed::theta) return {(2 * m.turns - level) * two_pi_dd[0] * 0.5 + (m.theta + m.theta_lo), m.omega};
     const double x = since / step.unit;
     const double slope = kernels::tail_of_series<1>(step.v, x, [](double a, int k) { return a * k; });
     return {m.omega + m.omega_lo, slope / (step.unit * step.unit)};
@@ -101,7 +100,8 @@ Departure departure(const Crossings& search, const TaylorStep<double>& step, dou
 
 /// When a level is crossed between two times of the step, by Newton's method kept within bounds that halve every other turn:
 /// 128 turns are enough to leave no double between them.
-double time_of_crossing(const Crossings& search, const TaylorStep<double>& step, double low, double high, double level) noexcept {
+double time_of_crossing(const Crossings& search, const TaylorStep<double>& step, double low, double high,
+                        double level) noexcept {
     const bool rises = side_of(search.crossed, motion_at(step, low)) < level;
     double since = 0.5 * (low + high);
     for (int turn = 0; turn < 128; ++turn) {
@@ -128,7 +128,8 @@ bool crosses(Crossings& search, const TaylorStep<double>& step, double until, Cr
         const bool is_rising = side > search.side;
         const double level = search.side + (is_rising ? 1 : -1);
         const double start = search.cut == 0 ? 0 : search.cuts[search.cut - 1];
-        crossing = {search.is_upon ? search.upon : sample_at(step, time_of_crossing(search, step, start, end, level)), is_rising};
+        crossing = {search.is_upon ? search.upon : sample_at(step, time_of_crossing(search, step, start, end, level)),
+                    is_rising};
         if (crossing.sample.t > until) return false;
         search.side += is_rising ? 2 : -2;
         search.is_upon = false;

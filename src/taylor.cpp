@@ -1,7 +1,6 @@
-#include "taylor_scalar.hpp"
-
 #include "kernels/taylor_chunk.hpp"
 #include "pendula/angle.hpp"
+#include "taylor_scalar.hpp"
 
 namespace pendula {
 
@@ -10,7 +9,12 @@ using kernels::Series;
 using kernels::TaylorStep;
 
 TaylorStep<double> step_of(const Taylor& run) noexcept {
-    TaylorStep<double> step{{run.theta, run.omega, run.turns, run.theta_lo, run.omega_lo}, {run.t, run.t_lo}, run.unit, run.length, {}, run.series_1_lo};
+    TaylorStep<double> step{{run.theta, run.omega, run.turns, run.theta_lo, run.omega_lo},
+                            {run.t, run.t_lo},
+                            run.unit,
+                            run.length,
+                            {},
+                            run.series_1_lo};
     static_assert(sizeof step.v == sizeof run.series);
     __builtin_memcpy(step.v, run.series, sizeof step.v);
     return step;
@@ -34,7 +38,8 @@ void put_step(Taylor& run, const TaylorStep<double>& step) noexcept {
 
 void expand(Taylor& run, TaylorStep<double>& step) noexcept {
     const Pendulum& p = run.pendulum;
-    const auto parameters = kernels::taylor_pendulum(p.alpha, p.beta, p.torque, p.drive_amplitude, p.drive_frequency, p.drive_phase);
+    const auto parameters =
+        kernels::taylor_pendulum(p.alpha, p.beta, p.torque, p.drive_amplitude, p.drive_frequency, p.drive_phase);
     Series<double> cosine;
     kernels::expand(parameters, {run.order, run.log2_fraction}, step, cosine);
     put_step(run, step);

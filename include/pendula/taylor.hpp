@@ -10,11 +10,11 @@ namespace pendula {
 /// omega(t) = sum of series[k] x^k / unit with x = (t - start)/unit, and theta is its integral from theta at the start.
 struct Taylor {
     Pendulum pendulum;
-    int order = 0;                      ///< of the polynomial of omega
-    double log2_fraction = 0;           ///< of the radius of convergence that a step goes
-    double t = 0, t_lo = 0;             ///< the step's start in two doubles [s]
-    double length = 0;                  ///< of the step [s]; NaN once the motion is not finite
-    double theta = 0, omega = 0;        ///< at the start, theta in [-pi, pi)
+    int order = 0;                ///< of the polynomial of omega
+    double log2_fraction = 0;     ///< of the radius of convergence that a step goes
+    double t = 0, t_lo = 0;       ///< the step's start in two doubles [s]
+    double length = 0;            ///< of the step [s]; NaN once the motion is not finite
+    double theta = 0, omega = 0;  ///< at the start, theta in [-pi, pi)
     double turns = 0;
     double theta_lo = 0, omega_lo = 0;  ///< what rounding has kept out of them
     double unit = 1;                    ///< a power of two [s]
@@ -24,9 +24,9 @@ struct Taylor {
 
 /// The first step of a trajectory from time t [s], to be continued by `step`.
 ///
-/// The step follows from the tolerance as in Jorba & Zou, Experimental Mathematics 14 (2005): what a step's polynomials leave out
-/// is less than a hundredth of the tolerance, relative to the angle and its change in a step. tolerance in (0, 1); the order is
-/// 25, or 13 from 1e-9 up, and from 2^-52 down nothing more is gained. Memory and time of a step are constants.
+/// The step follows from the tolerance as in Jorba & Zou, Experimental Mathematics 14 (2005): what a step's polynomials leave
+/// out is less than a hundredth of the tolerance, relative to the angle and its change in a step. tolerance in (0, 1); the
+/// order is 25, or 13 from 1e-9 up, and from 2^-52 down nothing more is gained. Memory and time of a step are constants.
 ///
 /// At 1e-15, against 50 digits up to t = 50 (tests/cpp/taylor_test.cpp): within 1e-12 where the motion is chaotic, 1e-13
 /// elsewhere.
@@ -59,7 +59,7 @@ struct Crossing {
 struct Crossings {
     Taylor run;
     Crossed crossed = Crossed::theta;
-    double side = 0;      ///< the odd number 2 m + 1 between the levels m and m + 1; 0 until the start's level is left
+    double side = 0;       ///< the odd number 2 m + 1 between the levels m and m + 1; 0 until the start's level is left
     double cuts[27] = {};  ///< of the step, in seconds since its start
     int cut_count = 0;
     int cut = 0;           ///< the next one to be looked at
@@ -71,8 +71,8 @@ struct Crossings {
 Crossings crossings(const Pendulum& pendulum, State initial, Crossed crossed, double tolerance = 1e-15, double t = 0) noexcept;
 
 /// The next crossing up to time `until` [s], in time within the rounding of what is crossed over its rate of change.
-/// False where there is none, where the motion is not finite or would take more than 2^53 steps, or after about `step_budget` steps; with `reaches(search.run,
-/// until)` the search is done, otherwise the call may be repeated.
+/// False where there is none, where the motion is not finite or would take more than 2^53 steps, or after about `step_budget`
+/// steps; with `reaches(search.run, until)` the search is done, otherwise the call may be repeated.
 bool next_crossing(Crossings& search, double until, Crossing& crossing, double step_budget = 0x1p53) noexcept;
 
 /// The mean time [s] between crossings of theta through whole turns in the direction of the first, up to time `until` [s]: the

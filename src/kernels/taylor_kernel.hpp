@@ -44,7 +44,13 @@ template <class T>
 inline TaylorPendulum<T> taylor_pendulum(T alpha, T beta, T torque, T drive_amplitude, T drive_frequency, T drive_phase) {
     const DoubleDouble<T> inverse{splat<T>(inverse_two_pi_dd[0]), splat<T>(inverse_two_pi_dd[1])};
     const T of_drive = select(drive_amplitude == 0.0, T{}, drive_frequency);
-    return {alpha,  beta, torque, drive_amplitude, drive_frequency, inverse * drive_frequency, inverse * drive_phase,
+    return {alpha,
+            beta,
+            torque,
+            drive_amplitude,
+            drive_frequency,
+            inverse * drive_frequency,
+            inverse * drive_phase,
             sqrt(alpha + abs(torque) + abs(drive_amplitude)) + beta + of_drive + slowest_rate};
 }
 

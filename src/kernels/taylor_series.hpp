@@ -1,6 +1,7 @@
 // The Taylor coefficients of a pendulum's motion, two orders at a time.
 //
-// Time is counted in a unit, so that v = omega unit, C = alpha unit^2 cos(theta), S = alpha unit^2 sin(theta), drag = beta unit:
+// Time is counted in a unit, so that v = omega unit, C = alpha unit^2 cos(theta), S = alpha unit^2 sin(theta), drag = beta
+// unit:
 //     v' = -S - drag v + torque + drive,    S' = v C,    C' = -v S.
 // Without a drive v'' = -v C - drag v' and C' = v v' + drag v^2 - torque v: a square, for which half the products do, takes
 // the place of one of the two products of series.

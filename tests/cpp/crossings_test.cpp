@@ -33,7 +33,8 @@ TEST(Crossings, OfAnOscillationComeEachHalfPeriod) {
         const auto turning = all_crossings({}, {amplitude, 0}, Crossed::omega, 20.1 * tau);
         ASSERT_EQ(bottom.size(), 40u) << amplitude;
         ASSERT_EQ(turning.size(), 40u) << amplitude;
-        // Rounding moves the energy, and with it every half period that follows: by 1/kappa', the distance from the top squared.
+        // Rounding moves the energy, and with it every half period that follows: by 1/kappa', the distance from the top
+        // squared.
         const double slack = 4e-15 / (pi - amplitude) / (pi - amplitude) + 1e-14;
         for (std::size_t i = 0; i < 40; ++i) {
             const double n = static_cast<double>(i);
@@ -53,7 +54,8 @@ TEST(Crossings, OfARotationComeEachTurn) {
         ASSERT_NEAR(static_cast<double>(found.size()), 1000, 1) << omega;
         for (std::size_t i = 0; i < found.size(); ++i) {
             EXPECT_EQ(found[i].is_rising, omega > 0);
-            EXPECT_NEAR(found[i].sample.t - found[0].sample.t, static_cast<double>(i) * tau, 1e-12 * tau * (1 + static_cast<double>(i)));
+            EXPECT_NEAR(found[i].sample.t - found[0].sample.t, static_cast<double>(i) * tau,
+                        1e-12 * tau * (1 + static_cast<double>(i)));
         }
         EXPECT_TRUE(all_crossings({}, {1, omega}, Crossed::omega, 100 * tau).empty());
     }

@@ -1,4 +1,6 @@
 // Taylor's method: against 50 digits where it is driven, against the closed form where it is not; packs against one by one.
+#include "pendula/taylor.hpp"
+
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -6,7 +8,6 @@
 
 #include "kernels/dispatch.hpp"
 #include "pendula/angle.hpp"
-#include "pendula/taylor.hpp"
 #include "reference_table.hpp"
 #include "taylor_scalar.hpp"
 #include "trajectories.hpp"
@@ -78,7 +79,8 @@ TEST(Taylor, FollowsTheClosedFormThroughEveryRegime) {
         for (int i = 1; i <= 100; ++i) {
             const auto got = solved(run, i), want = at(solution, i);
             // Many turns are known as well as a double knows their sum.
-            EXPECT_LE(angle_error(got.theta, got.turns, {want.theta, 0}, want.turns), tolerance * i + 4e-15 * std::fabs(unwrapped(want)))
+            EXPECT_LE(angle_error(got.theta, got.turns, {want.theta, 0}, want.turns),
+                      tolerance * i + 4e-15 * std::fabs(unwrapped(want)))
                 << initial.omega << ' ' << i;
         }
     }
@@ -172,7 +174,9 @@ void put_members(Chunk& c) {
     c.torque[19] = 1e308;
 }
 
-bool same(double a, double b) { return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b) || (a != a && b != b); }
+bool same(double a, double b) {
+    return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b) || (a != a && b != b);
+}
 
 TEST(Taylor, OfAMemberIsThatOfItselfAlone) {
     Chunk start, c;
@@ -183,8 +187,9 @@ TEST(Taylor, OfAMemberIsThatOfItselfAlone) {
     kernels::start_taylor(steps, c, 1e-15, t);
     std::vector<Taylor> alone;
     for (int i = 0; i < c.count; ++i)
-        alone.push_back(taylor({c.alpha[i], c.beta[i], c.torque[i], c.drive_amplitude[i], c.drive_frequency[i], c.drive_phase[i]},
-                               {c.theta[i], c.omega[i]}));
+        alone.push_back(
+            taylor({c.alpha[i], c.beta[i], c.torque[i], c.drive_amplitude[i], c.drive_frequency[i], c.drive_phase[i]},
+                   {c.theta[i], c.omega[i]}));
     for (int row = 0; row < 40; ++row) {
         for (int i = 0; i < chunk_size; ++i) t[i] = row * 0.05 * (i + 1);
         while (!kernels::dispatch().taylor(c, steps, t, 5)) {

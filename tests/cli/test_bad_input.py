@@ -109,7 +109,7 @@ OPTIONS = [
     (["solve", "--theta0", "1", "--dt", "1", "--dt-factor", "1"], "--dt-factor and --dt exclude each other"),
     (["solve", "--theta0", "1", "--until", "-1"], f'--until "-1": {POSITIVE}'),
     (["solve", "--theta0", "1", "--theta0", "2"], "option --theta0 is given twice"),
-    (["solve", "--theta0", "1", "--method", "rk5"], '--method "rk5": "rk5" is none of rk4, euler, verlet, exact; did you mean rk4?'),
+    (["solve", "--theta0", "1", "--method", "rk5"], '--method "rk5": "rk5" is none of rk4, euler, verlet, exact, taylor; did you mean rk4?'),
     (["solve", "--theta0", "1", "--format", "xml"], '--format "xml": "xml" is none of text, csv, json'),
     (["solve", "--theta0", "1", "--precision", "0"], '--precision "0": it must be a whole number from 1 to 17, or full'),
     (["solve", "--theta0", "1", "--precision", "18"], '--precision "18": it must be a whole number from 1 to 17, or full'),

@@ -1,4 +1,4 @@
-"""The tables of docs/benchmarks.md: which cases stand together, and what is asked of them."""
+"""The tables of docs/benchmarks.md: which cases stand together, and what they are to reach."""
 
 from dataclasses import dataclass, field
 
@@ -65,7 +65,7 @@ def ratio(best, case, peer, asked):
     times = best[f"{case}/{peer}"] / best[f"{case}/pendula"]
     shown = f"{times:,.0f}" if times >= 100 else f"{times:.1f}" if times >= 10 else f"{times:.2f}"
     least = asked.get((case, peer))
-    return f"**{shown} ×**" + ("" if least is None else f" (asked: {least:,})")
+    return f"**{shown} ×**" + ("" if least is None else f" (goal: {least:,})")
 
 
 def error_of(facts, case, side):

@@ -51,6 +51,14 @@ inline SinCos<T> short_increments(T d) {
     return {d + d * (q * polynomial(q, sin_short)), q * (-0.5 + q * polynomial(q, cos_short))};
 }
 
+/// sin d and cos d - 1 for |d| <= medium_limit, within 2e-16.
+inline constexpr double medium_limit = 0.75;
+template <class T>
+inline SinCos<T> medium_increments(T d) {
+    const T q = d * d;
+    return {d + d * (q * polynomial(q, sin_quarter)), q * (-0.5 + q * polynomial(q, cos_quarter))};
+}
+
 /// sin(x + d) and cos(x + d) from those of x and the increments of d.
 template <class T>
 inline SinCos<T> turned_by(SinCos<T> x, SinCos<T> d) {
@@ -181,6 +189,16 @@ inline void short_steps(Stages& stages, Motion<T>& x, int steps) {
     add(x, at.way, at.change * stages.k.per_step);
 }
 
+/// Steps of angles up to medium_limit: one sine anew, three by increments as long as polynomials go.
+template <class Stages, class T>
+inline void medium_steps(Stages& stages, Motion<T>& x, int steps) {
+    for (int i = 0; i < steps; ++i) {
+        const auto angle = sincos(x.theta);
+        const auto d = stages.step(x.omega * stages.k.h, angle, [angle](T e) { return turned_by(angle, medium_increments(e)); });
+        add(x, d.theta, d.omega * stages.k.per_step);
+    }
+}
+
 /// Steps of any length: every sine anew.
 template <class Stages, class T>
 inline void large_steps(Stages& stages, Motion<T>& x, int steps) {
@@ -191,18 +209,22 @@ inline void large_steps(Stages& stages, Motion<T>& x, int steps) {
     }
 }
 
-/// A block under friction, torque or drive.
+/// A block whose steps are not near, of angles up to `reach`.
 template <bool is_driven, bool has_tangent, class T>
-inline void forced_block(const Rk4Step<T>& k, DoubleDouble<T> t, Motion<T>& x, Tangent<T>& tangent, const Mask<T>& is_small, int steps) {
+inline void forced_block(const Rk4Step<T>& k, DoubleDouble<T> t, Motion<T>& x, Tangent<T>& tangent, T reach, int steps) {
     SinCos<T> drive{};
     if constexpr (is_driven) drive = sincos(two_pi_dd[0] * phase_at(t.hi, k.rate, k.start + t.lo * k.rate.whole).fraction);
-    Stages<is_driven, has_tangent, T> small_stages{k, drive, {tangent.theta, tangent.omega * k.h}};
-    auto large_stages = small_stages;
-    Motion<T> small = x, large = x;
-    if (any<T>(is_small)) short_steps(small_stages, small, steps);
-    if (any<T>(!is_small)) large_steps(large_stages, large, steps);
-    x = choose<T>(is_small, small, large);
-    const auto moved = choose<T>(is_small, small_stages.tangent, large_stages.tangent);
+    const auto is_damped = abs(k.drag) <= 0.125;
+    const auto is_short = is_damped & (reach <= short_limit);
+    const auto is_medium = is_damped & (reach <= medium_limit);
+    Stages<is_driven, has_tangent, T> by_short{k, drive, {tangent.theta, tangent.omega * k.h}};
+    auto by_medium = by_short, by_large = by_short;
+    Motion<T> after_short = x, after_medium = x, after_large = x;
+    if (any<T>(is_short)) short_steps(by_short, after_short, steps);
+    if (any<T>(is_medium & !is_short)) medium_steps(by_medium, after_medium, steps);
+    if (any<T>(!is_medium)) large_steps(by_large, after_large, steps);
+    x = choose<T>(is_short, after_short, choose<T>(is_medium, after_medium, after_large));
+    const auto moved = choose<T>(is_short, by_short.tangent, choose<T>(is_medium, by_medium.tangent, by_large.tangent));
     tangent = {moved.theta, moved.omega * k.per_step};
 }
 
@@ -212,7 +234,6 @@ template <bool has_tangent, class T>
 inline void rk4_block(const Rk4Step<T>& k, DoubleDouble<T> t, Motion<T>& x, Tangent<T>& tangent, int steps) {
     // No angle of the block exceeds this: a step adds at most the forces to v, and friction up to 1/8 a step a tenth to a stage.
     const T reach = 1.25 * (abs(x.omega * k.h) + (steps + 1.0) * (k.pull + abs(k.torque) + abs(k.drive)));
-    const auto is_small = (reach <= short_limit) & (abs(k.drag) <= 0.125);
     const auto is_free = (k.drag == 0.0) & (k.torque == 0.0) & (k.drive == 0.0);
     const auto is_near = (reach <= near_limit) & is_free & (k.pull <= (has_tangent ? -1.0 : near_pull));  // near steps carry no tangent
 
@@ -220,9 +241,9 @@ inline void rk4_block(const Rk4Step<T>& k, DoubleDouble<T> t, Motion<T>& x, Tang
     if (any<T>(is_near)) near_steps(k, near, steps);
     if (any<T>(!is_near)) {
         if (any<T>(k.drive != 0.0))
-            forced_block<true, has_tangent>(k, t, forced, tangent, is_small, steps);
+            forced_block<true, has_tangent>(k, t, forced, tangent, reach, steps);
         else
-            forced_block<false, has_tangent>(k, t, forced, tangent, is_small, steps);
+            forced_block<false, has_tangent>(k, t, forced, tangent, reach, steps);
     }
     x = choose<T>(is_near, near, forced);
 }

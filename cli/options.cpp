@@ -171,7 +171,9 @@ Pendulum pendulum(const Options& options) {
         .torque = number(options, "--torque", Rule::finite, 0),
         .drive_amplitude = number(options, "--drive-amplitude", Rule::finite, 0),
         .drive_frequency = number(options, "--drive-frequency", Rule::not_negative, 0),
-        .drive_phase = is_given(options, "--drive-phase") ? value(options, "--drive-phase", parse_angle(text(options, "--drive-phase"), "deg")) : 0,
+        .drive_phase = is_given(options, "--drive-phase")
+                           ? value(options, "--drive-phase", parse_angle(text(options, "--drive-phase"), "deg"))
+                           : 0,
     };
     if (stated.drive_amplitude != 0 && stated.drive_frequency == 0)
         refuse({"a drive needs a --drive-frequency above 0", "un forzamiento necesita una --drive-frequency mayor que 0"}, {});

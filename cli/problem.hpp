@@ -27,7 +27,7 @@ struct Statement {
 struct Prepared {
     Problem problem;
     std::optional<Analysis> analysis;  ///< of a conservative pendulum
-    double dt = 0, until = 0;  ///< as asked [s]
+    double dt = 0, until = 0;          ///< as asked [s]
 };
 
 /// Throws Failure with Status::bad_data, its message beginning with `place`, where numbers that are legal one by one make

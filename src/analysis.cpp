@@ -30,7 +30,8 @@ double ulp(double x) noexcept {
 double reach_of_one_ulp(const EnergyBalance& b, double theta_ulp, double omega_ulp) noexcept {
     const double alpha_ulp = power_of_two_below(b.alpha) * 0x1p-52;  // as of a normal number, also where alpha is not
     const double sine = b.sine.hi, cosine = b.cosine.hi;
-    const double first = b.alpha * abs(sine * cosine) * theta_ulp + abs(b.half_omega.hi) * omega_ulp + cosine * cosine * alpha_ulp;
+    const double first =
+        b.alpha * abs(sine * cosine) * theta_ulp + abs(b.half_omega.hi) * omega_ulp + cosine * cosine * alpha_ulp;
     const double second = 0.25 * b.alpha * abs(cosine * cosine - sine * sine) * theta_ulp * theta_ulp +
                           0.25 * omega_ulp * omega_ulp + abs(sine * cosine) * theta_ulp * alpha_ulp;
     return first + second;

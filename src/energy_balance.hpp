@@ -12,17 +12,17 @@ struct EnergyBalance {
     using Number = arithmetic::DoubleDouble<double>;
 
     Regime regime;
-    double unit;                             ///< [s^-1]
-    double alpha;                            ///< [unit^2]
-    Number sine;                             ///< sin(theta/2)
-    Number cosine;                           ///< cos(theta/2)
-    Number half_omega;                       ///< omega/2 [unit]
-    Number rise;                             ///< kappa alpha = alpha sin^2(theta/2) + omega^2/4 [unit^2]
-    Number gap;                              ///< kappa' alpha = alpha cos^2(theta/2) - omega^2/4 [unit^2]
-    Number root_alpha;                       ///< [unit]
-    Number frequency;                        ///< 1/tau of an oscillation or a rotation [unit]
-    Number speed;                            ///< of an oscillation: omega/(2 sqrt(alpha))
-    Number k;                                ///< of an oscillation: sqrt(kappa) = sin(theta_max/2), relatively precise however small
+    double unit;        ///< [s^-1]
+    double alpha;       ///< [unit^2]
+    Number sine;        ///< sin(theta/2)
+    Number cosine;      ///< cos(theta/2)
+    Number half_omega;  ///< omega/2 [unit]
+    Number rise;        ///< kappa alpha = alpha sin^2(theta/2) + omega^2/4 [unit^2]
+    Number gap;         ///< kappa' alpha = alpha cos^2(theta/2) - omega^2/4 [unit^2]
+    Number root_alpha;  ///< [unit]
+    Number frequency;   ///< 1/tau of an oscillation or a rotation [unit]
+    Number speed;       ///< of an oscillation: omega/(2 sqrt(alpha))
+    Number k;           ///< of an oscillation: sqrt(kappa) = sin(theta_max/2), relatively precise however small
 };
 
 /// alpha > 0 and finite, initial finite.

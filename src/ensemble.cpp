@@ -10,8 +10,8 @@ using kernels::Chunk;
 using kernels::chunk_size;
 
 Pendulum pendulum_of(const Ensemble& e, std::size_t i) noexcept {
-    return {value_of(e.alpha, i),           value_of(e.beta, i),            value_of(e.torque, i),
-            value_of(e.drive_amplitude, i), value_of(e.drive_frequency, i), value_of(e.drive_phase, i)};
+    return {value_of(e.alpha, i),           value_of(e.beta, i),       value_of(e.torque, i), value_of(e.drive_amplitude, i),
+            value_of(e.drive_frequency, i), value_of(e.drive_phase, i)};
 }
 
 State state_of(const Ensemble& e, std::size_t i) noexcept { return {value_of(e.theta, i), value_of(e.omega, i)}; }
@@ -24,8 +24,8 @@ bool is_finite(double x) noexcept { return x - x == 0; }
 
 bool is_legal(const Pendulum& p, State s) noexcept {
     return p.alpha > 0 && is_finite(p.alpha) && p.beta >= 0 && is_finite(p.beta) && is_finite(p.torque) &&
-           is_finite(p.drive_amplitude) && p.drive_frequency >= 0 && is_finite(p.drive_frequency) &&
-           is_finite(p.drive_phase) && is_finite(s.theta) && is_finite(s.omega);
+           is_finite(p.drive_amplitude) && p.drive_frequency >= 0 && is_finite(p.drive_frequency) && is_finite(p.drive_phase) &&
+           is_finite(s.theta) && is_finite(s.omega);
 }
 
 void put(Chunk& c, int i, Pendulum p, State s) noexcept {

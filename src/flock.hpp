@@ -15,7 +15,9 @@ inline double value_of(std::span<const double> column, std::size_t member) noexc
     return column[column.size() == 1 ? 0 : member];
 }
 
-constexpr std::size_t chunks_of(std::size_t members) noexcept { return (members + kernels::chunk_size - 1) / kernels::chunk_size; }
+constexpr std::size_t chunks_of(std::size_t members) noexcept {
+    return (members + kernels::chunk_size - 1) / kernels::chunk_size;
+}
 
 /// Loads the members first, first + 1, … of an ensemble. One that is not legal starts as NaN.
 void load(kernels::Chunk& chunk, const Ensemble& ensemble, std::size_t first) noexcept;

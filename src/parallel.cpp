@@ -30,16 +30,15 @@ struct Pool {
 bool Progress::proceeds(bool is_caller) noexcept {
     if (is_caller && control_.proceed) {
         const auto done = static_cast<double>(__atomic_load_n(&done_, __ATOMIC_RELAXED));
-        if (!control_.proceed(control_.context, units_ > 0 ? done / units_ : 1)) __atomic_store_n(&is_stopped_, true, __ATOMIC_RELAXED);
+        if (!control_.proceed(control_.context, units_ > 0 ? done / units_ : 1))
+            __atomic_store_n(&is_stopped_, true, __ATOMIC_RELAXED);
     }
     return !__atomic_load_n(&is_stopped_, __ATOMIC_RELAXED);
 }
 
 #ifdef __wasm__  // one thread is all there is
 
-void for_each_piece(std::size_t n, int, Progress&, Work work, void* context) noexcept {
-    Pool{n, work, context}.take_all(true);
-}
+void for_each_piece(std::size_t n, int, Progress&, Work work, void* context) noexcept { Pool{n, work, context}.take_all(true); }
 
 #else
 

@@ -10,10 +10,14 @@ namespace {
 
 const char* legal(Rule rule) {
     switch (rule) {
-        case Rule::finite: return "finite";
-        case Rule::positive: return "positive and finite";
-        case Rule::not_negative: return "finite and not negative";
-        case Rule::fraction: return "between 0 and 1, both excluded";
+        case Rule::finite:
+            return "finite";
+        case Rule::positive:
+            return "positive and finite";
+        case Rule::not_negative:
+            return "finite and not negative";
+        case Rule::fraction:
+            return "between 0 and 1, both excluded";
     }
     return "";
 }
@@ -34,10 +38,14 @@ void require_whole(const std::string& name, double value, double least) {
 bool satisfies(Rule rule, double value) noexcept {
     if (!std::isfinite(value)) return false;
     switch (rule) {
-        case Rule::finite: return true;
-        case Rule::positive: return value > 0;
-        case Rule::not_negative: return value >= 0;
-        case Rule::fraction: return value > 0 && value < 1;
+        case Rule::finite:
+            return true;
+        case Rule::positive:
+            return value > 0;
+        case Rule::not_negative:
+            return value >= 0;
+        case Rule::fraction:
+            return value > 0 && value < 1;
     }
     return false;
 }
@@ -90,7 +98,8 @@ void validate(const Pendulum& pendulum, const Strobe& strobe) {
     if (strobe.method == Method::rk4 && !(strobe.steps_per_period >= fewest))
         throw std::invalid_argument("steps_per_period must be at least " + shortest(fewest) + " for rk4 to be stable, got " +
                                     shortest(strobe.steps_per_period));
-    const double steps = (strobe.transient + strobe.periods) * (strobe.method == Method::rk4 ? strobe.steps_per_period : fewest);
+    const double steps =
+        (strobe.transient + strobe.periods) * (strobe.method == Method::rk4 ? strobe.steps_per_period : fewest);
     if (steps > 0x1p53) throw std::invalid_argument("a measure must take at most 2^53 steps, got " + shortest(steps));
 }
 

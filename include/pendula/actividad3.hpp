@@ -16,7 +16,8 @@ double normaliza(double theta) noexcept;
 /// epsilon is the relative error asked of tau, which is right to 4 ulp whatever it says.
 void analisis(double alpha, double theta0, double omega0, double epsilon, double& thetaM, double& tau, int& k) noexcept;
 
-/// One step of Runge-Kutta's method of order 4 (3.10), from t to t + dt; theta is not wrapped. The equation does not depend on t.
+/// One step of Runge-Kutta's method of order 4 (3.10), from t to t + dt; theta is not wrapped. The equation does not depend on
+/// t.
 void RungeKutta(double alpha, double& theta, double& omega, double t, double dt) noexcept;
 
 }  // namespace pendula::actividad3

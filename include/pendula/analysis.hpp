@@ -25,8 +25,8 @@ struct Analysis {
 /// Arguments outside give NaN in both.
 Analysis analyze(double alpha, State initial) noexcept;
 
-/// The unit of time that factors count in [s]: tau of `analyze` for a conservative pendulum; with friction or forcing the period
-/// of the drive, where there is one, or 2 pi/sqrt(alpha). Within 4 ulp; NaN where `analyze` gives NaN.
+/// The unit of time that factors count in [s]: tau of `analyze` for a conservative pendulum; with friction or forcing the
+/// period of the drive, where there is one, or 2 pi/sqrt(alpha). Within 4 ulp; NaN where `analyze` gives NaN.
 double characteristic_time(const Pendulum& pendulum, State initial) noexcept;
 
 /// Whether a pendulum without torque and drive starts at rest on top, as far as its angle can tell: friction or not, it stays.

@@ -25,7 +25,7 @@ struct EnsembleTimes {
 
 /// How a long call is run.
 struct Control {
-    int threads = 0;                                               ///< 0: as many as there are processors
+    int threads = 0;                                                 ///< 0: as many as there are processors
     bool (*proceed)(void* context, double done) noexcept = nullptr;  ///< told the fraction done; false stops the call
     void* context = nullptr;
 };

@@ -17,15 +17,15 @@ namespace pendula {
 struct Exact {
     Analysis analysis;
     State initial;
-    double phase = 0;           ///< P at t = 0
-    double rate_hi = 0;         ///< dP/dt in two doubles [s^-1]
+    double phase = 0;    ///< P at t = 0
+    double rate_hi = 0;  ///< dP/dt in two doubles [s^-1]
     double rate_lo = 0;
-    double turns = 0;           ///< whole turns of the angle that the motion starts from
-    double stretch = 0;         ///< argument of sinh and cosh for f = 1; 0 selects sin and cos
-    double angle_num[4] = {};   ///< coefficients of A
-    double angle_den[4] = {};   ///< of B
-    double speed_num[4] = {};   ///< of C [s^-1]
-    double speed_den[4] = {};   ///< of D
+    double turns = 0;          ///< whole turns of the angle that the motion starts from
+    double stretch = 0;        ///< argument of sinh and cosh for f = 1; 0 selects sin and cos
+    double angle_num[4] = {};  ///< coefficients of A
+    double angle_den[4] = {};  ///< of B
+    double speed_num[4] = {};  ///< of C [s^-1]
+    double speed_den[4] = {};  ///< of D
 };
 
 /// Prepares the closed form. Same domain as `analyze`; NaN throughout outside it.

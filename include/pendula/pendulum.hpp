@@ -1,4 +1,5 @@
-// The pendulum and its state: theta'' = -alpha sin(theta) - beta theta' + torque + drive_amplitude cos(drive_frequency t + drive_phase).
+// The pendulum and its state: theta'' = -alpha sin(theta) - beta theta' + torque + drive_amplitude cos(drive_frequency t +
+// drive_phase).
 #pragma once
 
 namespace pendula {
@@ -28,9 +29,7 @@ struct Sample {
 };
 
 /// Whether friction and forcing are absent, so that energy is conserved and the closed form holds.
-constexpr bool is_conservative(const Pendulum& p) noexcept {
-    return p.beta == 0 && p.torque == 0 && p.drive_amplitude == 0;
-}
+constexpr bool is_conservative(const Pendulum& p) noexcept { return p.beta == 0 && p.torque == 0 && p.drive_amplitude == 0; }
 
 /// Angular acceleration [s^-2] at time t [s]; the right-hand side of the equation.
 double acceleration(const Pendulum& pendulum, State state, double t) noexcept;

@@ -33,7 +33,10 @@ inline double carlson_series(double x, double y, double mean) {
 template <class N>
 inline double carlson_rf(N x, N y, N z) {
     const auto rounded = [](auto v) {
-        if constexpr (requires { v.hi; }) return v.hi; else return v;
+        if constexpr (requires { v.hi; })
+            return v.hi;
+        else
+            return v;
     };
     double a = 0, b = 0, c = 0;
     for (int i = 0; i < 24; ++i) {

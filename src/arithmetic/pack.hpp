@@ -29,13 +29,13 @@ struct Twin {
     }                                                              \
     template <class V, class S>                                    \
     inline auto operator op(const Twin<V>& x, S y)                 \
-        requires (sizeof(S) <= 8)                                \
+        requires(sizeof(S) <= 8)                                   \
     {                                                              \
         return Twin<decltype(x.a op y)>{x.a op y, x.b op y};       \
     }                                                              \
     template <class V, class S>                                    \
     inline auto operator op(S x, const Twin<V>& y)                 \
-        requires (sizeof(S) <= 8)                                \
+        requires(sizeof(S) <= 8)                                   \
     {                                                              \
         return Twin<decltype(x op y.a)>{x op y.a, x op y.b};       \
     }

@@ -26,7 +26,8 @@ const Kernels& choose() noexcept {
     const char* forced = std::getenv("PENDULA_ISA");
     const auto wants = [forced](const Kernels& k) { return !forced || std::strcmp(forced, k.name) == 0; };
 #ifdef PENDULA_HAS_AVX512
-    if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && wants(avx512::kernels)) return avx512::kernels;
+    if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && wants(avx512::kernels))
+        return avx512::kernels;
 #endif
 #ifdef PENDULA_HAS_AVX2
     if (__builtin_cpu_supports("avx2") && wants(avx2::kernels)) return avx2::kernels;

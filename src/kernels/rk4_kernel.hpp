@@ -19,14 +19,14 @@ inline constexpr int block_steps = 32;
 template <class T>
 struct Rk4Step {
     T h;
-    T per_step;            ///< 1/h; 0 where h is 0, and nothing moves
-    T pull;                ///< alpha h^2
-    T drag;                ///< beta h
-    T torque;              ///< torque h^2
-    T drive;               ///< drive_amplitude h^2
-    Rate<T> rate;          ///< drive_frequency/(2 pi)
-    T start;               ///< drive_phase/(2 pi)
-    SinCos<T> half_step;   ///< of drive_frequency h/2
+    T per_step;           ///< 1/h; 0 where h is 0, and nothing moves
+    T pull;               ///< alpha h^2
+    T drag;               ///< beta h
+    T torque;             ///< torque h^2
+    T drive;              ///< drive_amplitude h^2
+    Rate<T> rate;         ///< drive_frequency/(2 pi)
+    T start;              ///< drive_phase/(2 pi)
+    SinCos<T> half_step;  ///< of drive_frequency h/2
 };
 
 template <class T>
@@ -86,9 +86,9 @@ struct Carried {
     }
 };
 
-/// Steps without friction or force and so small, |v| <= near_limit and p = alpha h^2 <= near_pull, that their sines are expanded
-/// about the middle B = theta + eta, eta = v/2. With sin C = sin B - a cos B - a^2/2 sin B, a = (p/4) sin A, and sin D likewise
-/// about theta + v, (3.10) becomes in s = (p/6) sin B, c = (p/6) cos B, m = s (2 + cos eta), t = c sin eta
+/// Steps without friction or force and so small, |v| <= near_limit and p = alpha h^2 <= near_pull, that their sines are
+/// expanded about the middle B = theta + eta, eta = v/2. With sin C = sin B - a cos B - a^2/2 sin B, a = (p/4) sin A, and sin D
+/// likewise about theta + v, (3.10) becomes in s = (p/6) sin B, c = (p/6) cos B, m = s (2 + cos eta), t = c sin eta
 ///     theta' - theta = v + bend,  bend = t - m + 3/2 c (s - t)
 ///     eta' - eta     = s (3 c cos(eta) + 27/8 s^2) - p^2/24 sin(eta) - m
 /// but for terms below 1e-17. Of the angle only s and c are carried on: turned by v, then by the small rest bend + eta' - eta.
@@ -194,7 +194,8 @@ template <class Stages, class T>
 inline void medium_steps(Stages& stages, Motion<T>& x, int steps) {
     for (int i = 0; i < steps; ++i) {
         const auto angle = sincos(x.theta);
-        const auto d = stages.step(x.omega * stages.k.h, angle, [angle](T e) { return turned_by(angle, medium_increments(e)); });
+        const auto d =
+            stages.step(x.omega * stages.k.h, angle, [angle](T e) { return turned_by(angle, medium_increments(e)); });
         add(x, d.theta, d.omega * stages.k.per_step);
     }
 }
@@ -232,10 +233,12 @@ inline void forced_block(const Rk4Step<T>& k, DoubleDouble<T> t, Motion<T>& x, T
 /// goes along if there is one.
 template <bool has_tangent, class T>
 inline void rk4_block(const Rk4Step<T>& k, DoubleDouble<T> t, Motion<T>& x, Tangent<T>& tangent, int steps) {
-    // No angle of the block exceeds this: a step adds at most the forces to v, and friction up to 1/8 a step a tenth to a stage.
+    // No angle of the block exceeds this: a step adds at most the forces to v, and friction up to 1/8 a step a tenth to a
+    // stage.
     const T reach = 1.25 * (abs(x.omega * k.h) + (steps + 1.0) * (k.pull + abs(k.torque) + abs(k.drive)));
     const auto is_free = (k.drag == 0.0) & (k.torque == 0.0) & (k.drive == 0.0);
-    const auto is_near = (reach <= near_limit) & is_free & (k.pull <= (has_tangent ? -1.0 : near_pull));  // near steps carry no tangent
+    const auto is_near =
+        (reach <= near_limit) & is_free & (k.pull <= (has_tangent ? -1.0 : near_pull));  // near steps carry no tangent
 
     Motion<T> near = x, forced = x;
     if (any<T>(is_near)) near_steps(k, near, steps);

@@ -131,7 +131,7 @@ double series_terms(double alpha, State initial, double epsilon) noexcept {
     const auto [r, complement] = series_modulus(b, alpha);
     const double log_r_squared = r < 0.5 ? 2 * log(r) : log1p(-complement);
     const double terms = (log(epsilon) + log(complement)) / log_r_squared;
-    return terms > 0 ? -floor(-terms) : 0;
+    return terms > 0 ? ceiling(terms) : 0;
 }
 
 Analysis analyze_by_series(double alpha, State initial, double epsilon) noexcept {

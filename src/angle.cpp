@@ -11,7 +11,6 @@ namespace {
 
 /// Angles of [-pi, pi) that round to `pi` are given as the double below it.
 double round_into_interval(DoubleDouble<double> theta) noexcept {
-    constexpr double last_below_pi = 0x1.921fb54442d17p+1;
     const double sum = theta.hi + theta.lo;
     return sum >= pi ? last_below_pi : sum < -pi ? -pi : sum;
 }

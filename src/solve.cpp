@@ -15,8 +15,6 @@ namespace {
 constexpr double slack = 1e-9;  // relative, in counting rows and steps: 1/0.02 is 50 rows
 constexpr std::size_t batch = 256;
 
-double ceiling(double x) noexcept { return -floor(-x); }
-
 Sample current(const Trajectory& run) noexcept {
     return {run.rows_done * run.problem.schedule.every, run.theta, run.omega, run.turns};
 }

@@ -6,6 +6,7 @@
 
 namespace pendula {
 
+using arithmetic::ceiling;
 using arithmetic::sqrt;
 using kernels::Chunk;
 using kernels::chunk_size;
@@ -14,8 +15,6 @@ namespace {
 
 constexpr double nan = __builtin_nan("");
 constexpr double two_pi = 2 * pi;
-
-double ceiling(double x) noexcept { return -arithmetic::floor(-x); }
 
 void renormalise(Strobed& m, int i) noexcept {
     Chunk& c = m.chunk;

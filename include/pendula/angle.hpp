@@ -6,6 +6,9 @@ namespace pendula {
 /// The double nearest to pi; it lies 1.2e-16 below pi.
 inline constexpr double pi = 0x1.921fb54442d18p+1;
 
+/// The largest double of [-pi, pi): what angles of the interval that round to `pi` are given as.
+inline constexpr double last_below_pi = 0x1.921fb54442d17p+1;
+
 /// Radians of an angle in sexagesimal degrees, within 1 ulp. 180 gives `pi` exactly. NaN gives NaN.
 double to_radians(double degrees) noexcept;
 

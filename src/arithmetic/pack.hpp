@@ -204,6 +204,12 @@ inline T floor(T x) {
     return whole - select(whole > x, splat<T>(1.0), T{});
 }
 
+/// The smallest whole number that is not below x.
+template <class T>
+inline T ceiling(T x) {
+    return -floor(-x);
+}
+
 /// x * 2^n for a whole number n, as two products: exact unless the result underflows. |n| <= 2000.
 template <class T>
 inline T scale(T x, T n) {

@@ -5,6 +5,7 @@
 #include "arithmetic/exponential.hpp"
 #include "arithmetic/trigonometric.hpp"
 #include "kernels/phase_kernel.hpp"
+#include "pendula/angle.hpp"
 #include "pendula/exact.hpp"
 
 namespace pendula::kernels::inline PENDULA_ISA {
@@ -21,8 +22,6 @@ template <class T>
 inline T cubic(T x, T square, const double (&c)[4]) {
     return (c[0] + c[1] * x) + square * (c[2] + c[3] * x);
 }
-
-inline constexpr double last_below_pi = 0x1.921fb54442d17p+1;
 
 template <class T>
 struct Swing {

@@ -1,7 +1,7 @@
 // Regime, amplitude and characteristic time of the frictionless pendulum (assignment 3.2, 3.5 to 3.9).
 #pragma once
 
-#include "pendula/pendulum.hpp"
+#include "pendula/control.hpp"
 
 namespace pendula {
 
@@ -29,7 +29,8 @@ Analysis analyze(double alpha, State initial) noexcept;
 /// period of the drive, where there is one, or 2 pi/sqrt(alpha). Within 4 ulp; NaN where `analyze` gives NaN.
 double characteristic_time(const Pendulum& pendulum, State initial) noexcept;
 
-/// Whether a pendulum without torque and drive starts at rest on top, as far as its angle can tell: friction or not, it stays.
+/// Whether a pendulum without torque and drive starts at rest on top, as far as its angle can tell: there it stays, with friction
+/// or without, and with a shaken pivot too.
 bool rests_on_top(const Pendulum& pendulum, State initial) noexcept;
 
 /// How many terms of the assignment's series (3.6) its cut (3.9) asks for, for a relative error below epsilon in (0, 1) of
@@ -39,8 +40,8 @@ double series_terms(double alpha, State initial, double epsilon) noexcept;
 /// The most terms that `analyze_by_series` will sum.
 inline constexpr double series_terms_limit = 1e9;
 
-/// `analyze` with the period summed by the assignment's series (3.6), (3.7) up to its cut (3.9).
-/// tau is NaN where `series_terms` exceeds `series_terms_limit`.
-Analysis analyze_by_series(double alpha, State initial, double epsilon) noexcept;
+/// `analyze` with the period summed by the assignment's series (3.6), (3.7) up to its cut (3.9). Refused where an argument is
+/// outside its interval or `series_terms` exceeds `series_terms_limit`.
+Outcome analyze_by_series(double alpha, State initial, double epsilon, Analysis& analysis, const Control& control = {}) noexcept;
 
 }  // namespace pendula

@@ -1,48 +1,34 @@
-// Many trajectories at once: structure of arrays in, rows out, on every core.
+// Many trajectories at once: columns in, rows out, on every core.
 #pragma once
 
 #include <span>
 
+#include "pendula/control.hpp"
 #include "pendula/solve.hpp"
 
 namespace pendula {
 
-/// Pendulums and their initial states, one value each or one for all: every span has 1 or `size` elements.
-/// Symbols, units and intervals are those of `Pendulum` and `State`.
-struct Ensemble {
-    std::size_t size = 0;
-    std::span<const double> theta, omega;
-    std::span<const double> alpha, beta, torque, drive_amplitude, drive_frequency, drive_phase;
-};
-
-/// When members are looked at [s]: row j of a member is at first + j every, the start being t = 0. Spans have 1 or `size`
-/// elements; `first` >= 0, `every` > 0.
+/// When members are looked at [s]: row j of a member is at first + j every, the start being t = 0.
 struct EnsembleTimes {
-    std::span<const double> first, every;
-    std::size_t rows = 1;
-    double steps_per_row = 1;  ///< of rk4: equal steps from row to row, and from the start to a first row later than it
-};
-
-/// How a long call is run.
-struct Control {
-    int threads = 0;                                                 ///< 0: as many as there are processors
-    bool (*proceed)(void* context, double done) noexcept = nullptr;  ///< told the fraction done; false stops the call
-    void* context = nullptr;
+    Column first = 0.0;           ///< >= 0
+    Column every = 1.0;           ///< > 0; of no account for a single row
+    std::size_t rows = 1;         ///< >= 1
+    Column steps_to_first = 1.0;  ///< equal steps from the start to a first row later than it; a whole number >= 1
+    Column steps_per_row = 1.0;   ///< equal steps from row to row; a whole number >= 1
 };
 
 /// Where rows go: arrays of rows x size values, row by row. theta in [-pi, pi) [rad], omega [rad/s], whole turns.
 struct EnsembleRows {
-    double* theta = nullptr;
-    double* omega = nullptr;
-    double* turns = nullptr;
+    std::span<double> theta, omega, turns;
 };
 
-/// Solves every member by `rk4`, `taylor` (to `tolerance`) or `exact` and returns whether the call ran to its end.
+/// Solves every member by any method (`taylor` to `tolerance`).
 ///
 /// A member's bits depend on its own parameters only, not on its neighbours, the number of threads or the instruction set,
-/// and are those of `advance`. A member that diverges or is not legal becomes NaN in its own places.
-/// Memory is the rows and a constant for each thread.
-bool solve(const Ensemble& ensemble, Method method, double tolerance, const EnsembleTimes& times, const Control& control,
-           const EnsembleRows& rows) noexcept;
+/// and are those of `advance`. A member whose motion leaves the doubles becomes NaN in its own places. Refused as a whole where a
+/// member, a length, a count or the method is not legal. Memory is the rows, a place in a list for each member whose number
+/// of steps is its own, and a constant for each thread.
+Outcome solve(const Ensemble& ensemble, Method method, double tolerance, const EnsembleTimes& times, const EnsembleRows& rows,
+              const Control& control = {}) noexcept;
 
 }  // namespace pendula

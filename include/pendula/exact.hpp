@@ -29,7 +29,7 @@ struct Exact {
 };
 
 /// Prepares the closed form. Same domain as `analyze`; NaN throughout outside it.
-Exact exact(double alpha, State initial) noexcept;
+Exact make_exact(double alpha, State initial) noexcept;
 
 /// The state at time t [s], any finite t of either sign; |t|/tau up to 2^52 has a meaning.
 /// theta within 1e-14 rad (mod 2 pi) and omega within 1e-14 of its maximum for |t| <= 30 tau, 1e-13 to 1e6 tau.

@@ -1,23 +1,34 @@
-// The pendulum and its state: theta'' = -alpha sin(theta) - beta theta' + torque + drive_amplitude cos(drive_frequency t +
-// drive_phase).
+// The equation of motion, its parameters and its state:
+//     theta'' = -(alpha + pivot_amplitude cos(phase)) sin(theta) - beta theta' + torque + drive_amplitude cos(phase),
+//     phase = drive_frequency t + drive_phase.
 #pragma once
 
 namespace pendula {
 
 /// Parameters of the equation. The defaults are the frictionless, free pendulum of unit stiffness.
+/// parameters.hpp lists them with symbols, units and intervals.
 struct Pendulum {
     double alpha = 1;            ///< stiffness g/l [s^-2], > 0
     double beta = 0;             ///< damping [s^-1], >= 0
     double torque = 0;           ///< constant torque [s^-2]
-    double drive_amplitude = 0;  ///< [s^-2]
-    double drive_frequency = 0;  ///< angular frequency [rad/s], >= 0; > 0 where the amplitude is not 0
-    double drive_phase = 0;      ///< [rad]
+    double drive_amplitude = 0;  ///< of a periodic torque [s^-2]
+    double pivot_amplitude = 0;  ///< of the acceleration of a vertically shaken pivot, over its length l [s^-2]
+    double drive_frequency = 0;  ///< angular frequency of drive and pivot [rad/s], >= 0; > 0 where an amplitude is not 0
+    double drive_phase = 0;      ///< of drive and pivot at t = 0 [rad]
 };
 
 /// Where the pendulum is in phase space.
 struct State {
     double theta = 0;  ///< angle from the bottom [rad]
     double omega = 0;  ///< angular velocity [rad/s]
+};
+
+/// A state on its way: the angle wrapped, its turns counted, and what rounding has kept out of both sums.
+struct Motion {
+    double theta = 0;  ///< in [-pi, pi) [rad]
+    double omega = 0;  ///< [rad/s]
+    double turns = 0;
+    double theta_lo = 0, omega_lo = 0;
 };
 
 /// One row of a solution.
@@ -28,10 +39,13 @@ struct Sample {
     double turns = 0;  ///< whole turns: the unwrapped angle is theta + 2 pi turns
 };
 
-/// Whether friction and forcing are absent, so that energy is conserved and the closed form holds.
-constexpr bool is_conservative(const Pendulum& p) noexcept { return p.beta == 0 && p.torque == 0 && p.drive_amplitude == 0; }
+/// Whether the equation depends on time: there is a drive or a shaken pivot.
+constexpr bool is_driven(const Pendulum& p) noexcept { return p.drive_amplitude != 0 || p.pivot_amplitude != 0; }
 
-/// Angular acceleration [s^-2] at time t [s]; the right-hand side of the equation.
+/// Whether friction and forcing are absent, so that energy is conserved and the closed form holds.
+constexpr bool is_conservative(const Pendulum& p) noexcept { return p.beta == 0 && p.torque == 0 && !is_driven(p); }
+
+/// Angular acceleration [s^-2] at time t [s]: the right-hand side of the equation. NaN gives NaN.
 double acceleration(const Pendulum& pendulum, State state, double t) noexcept;
 
 /// Energy per unit m l^2 [s^-2]: omega^2/2 + alpha (1 - cos theta); 2 alpha on the separatrix.

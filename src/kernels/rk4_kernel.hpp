@@ -7,6 +7,7 @@
 #pragma once
 
 #include "arithmetic/polynomial.hpp"
+#include "kernels/equation.hpp"
 #include "kernels/motion.hpp"
 #include "kernels/phase_kernel.hpp"
 
@@ -15,32 +16,26 @@ namespace pendula::kernels::inline PENDULA_ISA {
 /// Steps of a block, counted from the last row: rounding moves the carried sine and cosine by some 10 ulp at most.
 inline constexpr int block_steps = 32;
 
-/// A step's constants. Velocities are counted in angle per step, v = omega h, and accelerations likewise, times h^2.
+/// A step's constants. Time is counted in steps: v = omega h is the angle per step.
 template <class T>
 struct Rk4Step {
     T h;
-    T per_step;           ///< 1/h; 0 where h is 0, and nothing moves
-    T pull;               ///< alpha h^2
-    T drag;               ///< beta h
-    T torque;             ///< torque h^2
-    T drive;              ///< drive_amplitude h^2
+    T per_step;  ///< 1/h; 0 where h is 0, and nothing moves
+    Terms<T> terms;
     Rate<T> rate;         ///< drive_frequency/(2 pi)
     T start;              ///< drive_phase/(2 pi)
     SinCos<T> half_step;  ///< of drive_frequency h/2
 };
 
 template <class T>
-inline Rk4Step<T> rk4_constants(T alpha, T beta, T torque, T drive_amplitude, T drive_frequency, T drive_phase, T h) {
+inline Rk4Step<T> rk4_constants(const Parameters<T>& p, T h) {
     const DoubleDouble<T> inverse{splat<T>(inverse_two_pi_dd[0]), splat<T>(inverse_two_pi_dd[1])};
     return {h,
             select(h == 0.0, T{}, 1.0 / h),
-            alpha * h * h,
-            beta * h,
-            torque * h * h,
-            drive_amplitude * h * h,
-            to_rate(inverse * drive_frequency),
-            inverse.hi * drive_phase,
-            sincos(0.5 * drive_frequency * h)};
+            terms(p, h),
+            to_rate(inverse * p.drive_frequency),
+            inverse.hi * p.drive_phase,
+            sincos(0.5 * p.drive_frequency * h)};
 }
 
 /// sin d and cos d - 1 for |d| <= short_limit, within 5e-17.
@@ -65,14 +60,14 @@ inline SinCos<T> turned_by(SinCos<T> x, SinCos<T> d) {
     return {x.sin + (x.sin * d.cos + x.cos * d.sin), x.cos + (x.cos * d.cos - x.sin * d.sin)};
 }
 
-/// What a block of small steps carries: sine and cosine of the angle, and the velocity per step.
+/// What a block of small steps carries: sine and cosine of the angle, the velocity, and the sums of the changes of both.
 template <class T>
 struct Carried {
     SinCos<T> angle;
     T v;
-    T start;     ///< v at the block's beginning
-    T change{};  ///< of v since
-    T way{};     ///< of the angle since
+    T start;          ///< v at the block's beginning
+    T change{};       ///< of v since
+    T angle_change{};
 
     Carried(const Motion<T>& x, T h) : v(x.omega * h), start(v) {
         const auto r = sincos(x.theta);
@@ -80,7 +75,7 @@ struct Carried {
     }
 
     void step(T d_theta, T d_v) {
-        way = way + d_theta;
+        angle_change = angle_change + d_theta;
         change = change + d_v;
         v = start + change;
     }
@@ -96,11 +91,12 @@ inline constexpr double near_limit = 1.0 / 256;
 inline constexpr double near_pull = 4e-6;
 template <class T>
 inline void near_steps(const Rk4Step<T>& k, Motion<T>& x, int steps) {
-    const T unit = k.pull * (1.0 / 6.0), squared = k.pull * k.pull * (1.0 / 24.0);
+    const T pull = k.terms.pull;
+    const T unit = pull * (1.0 / 6.0), squared = pull * pull * (1.0 / 24.0);
     const T start = 0.5 * (x.omega * k.h);
     auto middle = turned_by(sincos(x.theta), short_increments(start + x.theta_lo));
     middle = {unit * middle.sin, unit * middle.cos};
-    T eta = start, change{}, way{};
+    T eta = start, change{}, angle_change{};
     for (int i = 0; i < steps; ++i) {
         const T q = eta * eta;
         const T sine = eta + eta * (q * (-1.0 / 6.0));
@@ -114,31 +110,24 @@ inline void near_steps(const Rk4Step<T>& k, Motion<T>& x, int steps) {
         const T rest = bend + d_eta;
         const T half_square = (0.5 * rest) * rest;
         middle = {end.sin + (rest * end.cos - half_square * end.sin), end.cos - (rest * end.sin + half_square * end.cos)};
-        way = way + ((eta + eta) + bend);
+        angle_change = angle_change + ((eta + eta) + bend);
         change = change + d_eta;
         eta = start + change;
     }
-    add(x, way, (change + change) * k.per_step);
+    add(x, angle_change, (change + change) * k.per_step);
 }
 
-/// The accelerations of a step's four stages and, if asked for, of a tangent vector. Undriven, bits are those of a drive of 0.
-template <bool is_driven, bool has_tangent, class T>
+/// The four stages of a step and, if asked for, of a tangent vector.
+template <Forcing forcing, bool has_tangent, class T>
 struct Stages {
     const Rk4Step<T>& k;
     SinCos<T> drive;  ///< of the drive's phase, which goes through the step
     Tangent<T> tangent;
 
-    T force() const {
-        if constexpr (is_driven) return k.torque + k.drive * drive.cos;
-        return k.torque;
-    }
-
-    T acceleration(T force, SinCos<T> angle, T v) const { return force - k.pull * angle.sin - k.drag * v; }
-
-    T tangent_acceleration(SinCos<T> angle, Tangent<T> d) const { return -(k.pull * angle.cos) * d.theta - k.drag * d.omega; }
+    Acting<T> now() const { return acting<forcing>(k.terms, drive.cos); }
 
     void go_half_step() {
-        if constexpr (!is_driven) return;
+        if constexpr (forcing < Forcing::driven) return;
         drive = {drive.sin * k.half_step.cos + drive.cos * k.half_step.sin,
                  drive.cos * k.half_step.cos - drive.sin * k.half_step.sin};
     }
@@ -146,33 +135,39 @@ struct Stages {
     /// (3.10): what it adds to angle and v, with angle_at(d) = (sin, cos)(theta + d). Moves drive and tangent by the step.
     template <class AngleAt>
     Tangent<T> step(T v, SinCos<T> a, AngleAt angle_at) {
-        const T ka = acceleration(force(), a, v);
+        const auto start = now();
+        const T ka = acceleration(k.terms, start, a.sin, v);
         go_half_step();
-        const T middle_force = force();
+        const auto middle = now();
         const auto b = angle_at(0.5 * v);
         const T vb = v + 0.5 * ka;
-        const T kb = acceleration(middle_force, b, vb);
+        const T kb = acceleration(k.terms, middle, b.sin, vb);
         const auto c = angle_at(0.5 * vb);
         const T vc = v + 0.5 * kb;
-        const T kc = acceleration(middle_force, c, vc);
+        const T kc = acceleration(k.terms, middle, c.sin, vc);
         go_half_step();
+        const auto end = now();
         const auto d = angle_at(vc);
-        const T kd = acceleration(force(), d, v + kc);
-        if constexpr (has_tangent) move_tangent(a, b, c, d);
-        const T inner = kb + kc;
-        return {v + (ka + inner) * (1.0 / 6.0), ((ka + kd) + (inner + inner)) * (1.0 / 6.0)};
+        const T kd = acceleration(k.terms, end, d.sin, v + kc);
+        if constexpr (has_tangent) {
+            const auto at = tangent;
+            const T ta = tangent_acceleration(k.terms, start, a.cos, at);
+            const Tangent<T> at_b{at.theta + 0.5 * at.omega, at.omega + 0.5 * ta};
+            const T tb = tangent_acceleration(k.terms, middle, b.cos, at_b);
+            const Tangent<T> at_c{at.theta + 0.5 * at_b.omega, at.omega + 0.5 * tb};
+            const T tc = tangent_acceleration(k.terms, middle, c.cos, at_c);
+            const T td = tangent_acceleration(k.terms, end, d.cos, {at.theta + at_c.omega, at.omega + tc});
+            const auto bend = weighted(ta, tb, tc, td);
+            tangent = {at.theta + at.omega + bend.theta, at.omega + bend.omega};
+        }
+        const auto bend = weighted(ka, kb, kc, kd);
+        return {v + bend.theta, bend.omega};
     }
 
-    void move_tangent(SinCos<T> a, SinCos<T> b, SinCos<T> c, SinCos<T> d) {
-        const auto at = tangent;
-        const T ka = tangent_acceleration(a, at);
-        const Tangent<T> at_b{at.theta + 0.5 * at.omega, at.omega + 0.5 * ka};
-        const T kb = tangent_acceleration(b, at_b);
-        const Tangent<T> at_c{at.theta + 0.5 * at_b.omega, at.omega + 0.5 * kb};
-        const T kc = tangent_acceleration(c, at_c);
-        const T kd = tangent_acceleration(d, {at.theta + at_c.omega, at.omega + kc});
-        const T inner = kb + kc;
-        tangent = {at.theta + at.omega + (ka + inner) * (1.0 / 6.0), at.omega + ((ka + kd) + (inner + inner)) * (1.0 / 6.0)};
+    /// What the accelerations of the stages add to an angle, beside v, and to a velocity.
+    static Tangent<T> weighted(T a, T b, T c, T d) {
+        const T inner = b + c;
+        return {(a + inner) * (1.0 / 6.0), ((a + d) + (inner + inner)) * (1.0 / 6.0)};
     }
 };
 
@@ -186,7 +181,7 @@ inline void short_steps(Stages& stages, Motion<T>& x, int steps) {
         at.angle = turned_by(angle, short_increments(d.theta));
         at.step(d.theta, d.omega);
     }
-    add(x, at.way, at.change * stages.k.per_step);
+    add(x, at.angle_change, at.change * stages.k.per_step);
 }
 
 /// Steps of angles up to medium_limit: one sine anew, three by increments as long as polynomials go.
@@ -211,14 +206,15 @@ inline void large_steps(Stages& stages, Motion<T>& x, int steps) {
 }
 
 /// A block whose steps are not near, of angles up to `reach`.
-template <bool is_driven, bool has_tangent, class T>
+template <Forcing forcing, bool has_tangent, class T>
 inline void forced_block(const Rk4Step<T>& k, DoubleDouble<T> t, Motion<T>& x, Tangent<T>& tangent, T reach, int steps) {
     SinCos<T> drive{};
-    if constexpr (is_driven) drive = sincos(two_pi_dd[0] * phase_at(t.hi, k.rate, k.start + t.lo * k.rate.whole).fraction);
-    const auto is_damped = abs(k.drag) <= 0.125;
-    const auto is_short = is_damped & (reach <= short_limit);
-    const auto is_medium = is_damped & (reach <= medium_limit);
-    Stages<is_driven, has_tangent, T> by_short{k, drive, {tangent.theta, tangent.omega * k.h}};
+    if constexpr (forcing >= Forcing::driven)
+        drive = sincos(two_pi_dd[0] * phase_at(t.hi, k.rate, k.start + t.lo * k.rate.whole).fraction);
+    const auto is_bounded = abs(k.terms.drag) <= 0.125;  // by `largest_change`
+    const auto is_short = is_bounded & (reach <= short_limit);
+    const auto is_medium = is_bounded & (reach <= medium_limit);
+    Stages<forcing, has_tangent, T> by_short{k, drive, {tangent.theta, tangent.omega * k.h}};
     auto by_medium = by_short, by_large = by_short;
     Motion<T> after_short = x, after_medium = x, after_large = x;
     if (any<T>(is_short)) short_steps(by_short, after_short, steps);
@@ -229,24 +225,23 @@ inline void forced_block(const Rk4Step<T>& k, DoubleDouble<T> t, Motion<T>& x, T
     tangent = {moved.theta, moved.omega * k.per_step};
 }
 
-/// Up to `block_steps` steps from time t; each lane by the way that its own constants and angles allow. The tangent vector
+/// Up to `block_steps` steps from time t; each lane in the way that its own constants and angles allow. The tangent vector
 /// goes along if there is one.
 template <bool has_tangent, class T>
 inline void rk4_block(const Rk4Step<T>& k, DoubleDouble<T> t, Motion<T>& x, Tangent<T>& tangent, int steps) {
-    // No angle of the block exceeds this: a step adds at most the forces to v, and friction up to 1/8 a step a tenth to a
-    // stage.
-    const T reach = 1.25 * (abs(x.omega * k.h) + (steps + 1.0) * (k.pull + abs(k.torque) + abs(k.drive)));
-    const auto is_free = (k.drag == 0.0) & (k.torque == 0.0) & (k.drive == 0.0);
-    const auto is_near =
-        (reach <= near_limit) & is_free & (k.pull <= (has_tangent ? -1.0 : near_pull));  // near steps carry no tangent
+    const T reach = largest_change(k.terms, x.omega * k.h, steps);
+    const auto is_near = (reach <= near_limit) & is_free(k.terms) &
+                         (k.terms.pull <= (has_tangent ? -1.0 : near_pull));  // near steps carry no tangent
 
     Motion<T> near = x, forced = x;
     if (any<T>(is_near)) near_steps(k, near, steps);
     if (any<T>(!is_near)) {
-        if (any<T>(k.drive != 0.0))
-            forced_block<true, has_tangent>(k, t, forced, tangent, reach, steps);
+        if (any<T>(k.terms.pivot != 0.0))
+            forced_block<Forcing::shaken, has_tangent>(k, t, forced, tangent, reach, steps);
+        else if (any<T>(k.terms.drive != 0.0))
+            forced_block<Forcing::driven, has_tangent>(k, t, forced, tangent, reach, steps);
         else
-            forced_block<false, has_tangent>(k, t, forced, tangent, reach, steps);
+            forced_block<Forcing::steady, has_tangent>(k, t, forced, tangent, reach, steps);
     }
     x = choose<T>(is_near, near, forced);
 }

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "arithmetic/exponential.hpp"
+#include "kernels/equation.hpp"
 #include "kernels/motion.hpp"
 #include "kernels/phase_kernel.hpp"
 #include "kernels/taylor_series.hpp"
@@ -28,42 +29,20 @@ inline TaylorReach taylor_reach(double tolerance) {
     return {order, log(bounded * 0x1p-7) * inverse_ln2[0] / order};
 }
 
-/// Added to rates, so that a pendulum which nothing moves takes finite steps.
-inline constexpr double slowest_rate = 0x1p-900;
-
 /// A pendulum's parameters and what follows from them.
 template <class T>
 struct TaylorPendulum {
-    T alpha, beta, torque, drive_amplitude, drive_frequency;
+    Parameters<T> parameters;
     DoubleDouble<T> turn_rate;   ///< of the drive: drive_frequency/(2 pi)
     DoubleDouble<T> turn_start;  ///< drive_phase/(2 pi)
     T rate;                      ///< of change, but for that of the angle [s^-1]
 };
 
 template <class T>
-inline TaylorPendulum<T> taylor_pendulum(T alpha, T beta, T torque, T drive_amplitude, T drive_frequency, T drive_phase) {
+inline TaylorPendulum<T> taylor_pendulum(const Parameters<T>& p) {
     const DoubleDouble<T> inverse{splat<T>(inverse_two_pi_dd[0]), splat<T>(inverse_two_pi_dd[1])};
-    const T of_drive = select(drive_amplitude == 0.0, T{}, drive_frequency);
-    return {alpha,
-            beta,
-            torque,
-            drive_amplitude,
-            drive_frequency,
-            inverse * drive_frequency,
-            inverse * drive_phase,
-            sqrt(alpha + abs(torque) + abs(drive_amplitude)) + beta + of_drive + slowest_rate};
+    return {p, inverse * p.drive_frequency, inverse * p.drive_phase, rate_of_change(p)};
 }
-
-/// A step: theta and omega from its start as polynomials in x = (time since)/unit.
-template <class T>
-struct TaylorStep {
-    Motion<T> start;
-    DoubleDouble<T> t;  ///< at the start
-    T unit;             ///< a power of two near 1/rate, so that no coefficient overflows [s]
-    T length;           ///< [s]
-    Series<T> v;        ///< omega unit
-    T v1_lo;            ///< what rounding has kept out of v[1]
-};
 
 /// sin and cos of hi + lo + (pi/2) quadrant, |hi + lo| <= pi/4, within 2^-56 and with what their rounding leaves.
 template <class T>
@@ -123,67 +102,81 @@ inline T taylor_length(TaylorReach reach, T theta, const Series<T>& v) {
     return exp2_by_cubic(smaller(radius + reach.log2_fraction, splat<T>(3.0)));
 }
 
-/// The forces at the start of a step.
+/// The terms during a step that starts at time t [s].
 template <class T>
-inline Forces<T> taylor_forces(const TaylorPendulum<T>& p, DoubleDouble<T> t, T unit) {
-    Forces<T> f{p.beta * unit, (p.torque * unit) * unit, {}, T{}, T{}};
-    if (any<T>(p.drive_amplitude != 0.0)) {
+inline TaylorTerms<T> taylor_terms(const TaylorPendulum<T>& p, DoubleDouble<T> t, T unit) {
+    const auto k = terms(p.parameters, unit);
+    TaylorTerms<T> f{k, {}, T{}, {k.pull, T{}}, T{}, T{}, T{}};
+    if (any<T>(is_driven(p.parameters))) {
         const auto turns = (turned(t.hi, p.turn_rate) + t.lo * p.turn_rate.hi) + p.turn_start;
         const auto r = sincos_of_turns(turns);
-        const T amplitude = (p.drive_amplitude * unit) * unit, frequency = p.drive_frequency * unit;
-        f.drive = r.cos * amplitude;
-        f.drive_slope = -(amplitude * frequency * r.sin.hi);
+        const T frequency = p.parameters.drive_frequency * unit;
+        f.drive = r.cos * k.drive;
+        f.drive_slope = -(k.drive * frequency * r.sin.hi);
         f.square_frequency = frequency * frequency;
+        const auto pivot = r.cos * k.pivot;
+        f.pull = pivot + k.pull;
+        f.pivot = pivot.hi;
+        f.pull_slope = -(k.pivot * frequency * r.sin.hi);
     }
     return f;
 }
 
-/// v and C from v[0] and C[0], by the way that each lane's own parameters ask for.
+/// v and C from v[0], v[1] and the angle, by the recurrence that each lane's own parameters ask for. sine: pull sin(theta).
 template <int order, class T>
-inline void taylor_series(const TaylorPendulum<T>& p, const Forces<T>& f, T sine, Series<T>& v, Series<T>& C) {
-    const auto is_driven = p.drive_amplitude != 0.0;
-    const auto is_steady = (p.beta != 0.0) | (p.torque != 0.0);
-    if (!any<T>(!is_driven)) return driven_series<order>(f, sine, v, C);
-    Series<T> driven_v{}, driven_C{};
-    if (any<T>(is_driven)) {
-        driven_v[0] = v[0];
-        driven_v[1] = v[1];
-        driven_C[0] = C[0];
-        driven_series<order>(f, sine, driven_v, driven_C);
-    }
-    // Without friction and torque both ways give the same bits, but for signs of zeros that no result shows.
-    if (any<T>(is_steady))
+inline void taylor_series(const Parameters<T>& p, const TaylorTerms<T>& f, SinCos<T> angle, T sine, Series<T>& v,
+                          Series<T>& C) {
+    const auto is_shaken = p.pivot_amplitude != 0.0;
+    const auto has_drive = (p.drive_amplitude != 0.0) & !is_shaken;
+    C[0] = f.k.pull * angle.cos;
+    if (!any<T>(!has_drive)) return driven_series<order>(f, sine, v, C);
+    if (!any<T>(!is_shaken)) return shaken_series<order>(f, angle, v, C);
+    // Without friction and torque both give the same bits, but for signs of zeros that no result shows.
+    if (any<T>((p.beta != 0.0) | (p.torque != 0.0)))
         undriven_series<Forcing::steady, order>(f, v, C);
     else
         undriven_series<Forcing::none, order>(f, v, C);
-    if (!any<T>(is_driven)) return;
-    for (int k = 1; k <= order; ++k) {
-        v[k] = select<T>(is_driven, driven_v[k], v[k]);
-        C[k] = select<T>(is_driven, driven_C[k], C[k]);
-    }
+    const auto put = [&](const Mask<T>& mask, const auto& expand_into) {
+        if (!any<T>(mask)) return;
+        Series<T> its_v{}, its_C{};
+        its_v[0] = v[0];
+        its_v[1] = v[1];
+        its_C[0] = C[0];
+        expand_into(its_v, its_C);
+        for (int k = 0; k <= order; ++k) {
+            v[k] = select<T>(mask, its_v[k], v[k]);
+            C[k] = select<T>(mask, its_C[k], C[k]);
+        }
+    };
+    put(has_drive, [&](Series<T>& its_v, Series<T>& its_C) { driven_series<order>(f, sine, its_v, its_C); });
+    put(is_shaken, [&](Series<T>& its_v, Series<T>& its_C) { shaken_series<order>(f, angle, its_v, its_C); });
 }
 
 /// The polynomials of a step from its start and time; C as in taylor_series.hpp.
 template <class T>
-inline void expand(const TaylorPendulum<T>& p, TaylorReach reach, TaylorStep<T>& step, Series<T>& C) {
-    step.unit = power_below_inverse(abs(step.start.omega) + p.rate);
-    const auto forces = taylor_forces(p, step.t, step.unit);
+inline void expand(const TaylorPendulum<T>& pendulum, TaylorReach reach, TaylorStep<T>& step, Series<T>& C) {
+    const auto& p = pendulum.parameters;
+    step.unit = power_below_inverse(abs(step.start.omega) + pendulum.rate);
+    const auto f = taylor_terms(pendulum, {step.t, step.t_lo}, step.unit);
     const auto angle = reduce_to_quarter_turn(step.start.theta);
     const auto r = sincos_with_rest(angle.hi, angle.lo + step.start.theta_lo, angle.quadrant);
-    const T pull = (p.alpha * step.unit) * step.unit;
-    const auto sine = r.sin * pull;
-    C[0] = pull * r.cos.hi;
+    auto sine = r.sin * f.k.pull;
+    if (const auto is_shaken = p.pivot_amplitude != 0.0; any<T>(is_shaken)) {
+        const auto shaken = r.sin * f.pull;
+        sine = {select<T>(is_shaken, shaken.hi, sine.hi), select<T>(is_shaken, shaken.lo, sine.lo)};
+    }
     step.v[0] = step.start.omega * step.unit;
     // Acceleration and velocity make most of a step's change: rounding of the former would be that of all.
     auto acceleration = -sine;
     if (any<T>((p.beta != 0.0) | (p.torque != 0.0) | (p.drive_amplitude != 0.0)))
-        acceleration = ((forces.drive + forces.torque) - two_prod(forces.drag, step.v[0])) - sine;
+        acceleration = ((f.drive + f.k.torque) - two_prod(f.k.drag, step.v[0])) - sine;
     step.v[1] = acceleration.hi;
     step.v1_lo = acceleration.lo;
+    const SinCos<T> rounded{r.sin.hi, r.cos.hi};
     if (reach.order == taylor_order_limit)
-        taylor_series<taylor_order_limit>(p, forces, sine.hi, step.v, C);
+        taylor_series<taylor_order_limit>(p, f, rounded, sine.hi, step.v, C);
     else
-        taylor_series<taylor_low_order>(p, forces, sine.hi, step.v, C);
+        taylor_series<taylor_low_order>(p, f, rounded, sine.hi, step.v, C);
     // A motion that is not finite has no length.
     step.length = taylor_length(reach, step.start.theta, step.v) * step.unit + 0.0 * step.v[reach.order];
 }
@@ -222,19 +215,21 @@ inline Motion<T> motion_at(const TaylorStep<T>& step, T since) {
 template <class T>
 inline void go_to_end(TaylorStep<T>& step) {
     step.start = motion_at(step, step.length);
-    step.t = step.t + step.length;
+    const auto t = DoubleDouble<T>{step.t, step.t_lo} + step.length;
+    step.t = t.hi;
+    step.t_lo = t.lo;
 }
 
 /// Where the step ends before time t.
 template <class T>
 inline Mask<T> ends_before(const TaylorStep<T>& step, T t) {
-    return (step.t.hi - t) + (step.t.lo + step.length) < 0.0;
+    return (step.t - t) + (step.t_lo + step.length) < 0.0;
 }
 
 /// Makes NaN of a motion that more than 2^53 steps of this length would take to time t.
 template <class T>
 inline void give_up_endless(TaylorStep<T>& step, T t) {
-    const auto is_endless = (step.length > 0.0) & (step.length < (t - step.t.hi) * 0x1p-53);
+    const auto is_endless = (step.length > 0.0) & (step.length < (t - step.t) * 0x1p-53);
     if (!any<T>(is_endless)) return;
     const T nan = splat<T>(__builtin_nan(""));
     step.length = select(is_endless, nan, step.length);
@@ -242,21 +237,14 @@ inline void give_up_endless(TaylorStep<T>& step, T t) {
     step.start.omega = select(is_endless, nan, step.start.omega);
 }
 
-/// A displacement at a step's start, and its theta as a polynomial in x.
-template <class T>
-struct TangentStep {
-    Tangent<T> start;
-    Series<T> u;
-};
-
 template <class T>
 inline void expand_tangent(const TaylorPendulum<T>& p, int order, T unit, const Series<T>& C, TangentStep<T>& tangent) {
     tangent.u[0] = tangent.start.theta;
     tangent.u[1] = tangent.start.omega * unit;
     if (order == taylor_order_limit)
-        tangent_series<taylor_order_limit>(p.beta * unit, C, tangent.u);
+        tangent_series<taylor_order_limit>(p.parameters.beta * unit, C, tangent.u);
     else
-        tangent_series<taylor_low_order>(p.beta * unit, C, tangent.u);
+        tangent_series<taylor_low_order>(p.parameters.beta * unit, C, tangent.u);
 }
 
 /// The displacement at a time of the step, given since its start.

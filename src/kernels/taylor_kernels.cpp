@@ -1,6 +1,8 @@
 // Like kernels.cpp, of which it is apart for its compiler flags: compiled once for each instruction set.
+// A pack of a chunk on its way by Taylor's method, each lane by steps of its own to a time of its own.
 #include "kernels/dispatch.hpp"
-#include "kernels/taylor_flight.hpp"
+#include "kernels/packs.hpp"
+#include "kernels/taylor_kernel.hpp"
 
 namespace pendula::kernels::inline PENDULA_ISA {
 
@@ -9,19 +11,68 @@ namespace {
 // Not wider than a register: a series must stay near.
 using T = Pack<register_width>;
 
+/// The times that the lanes go to. A lane behind the last member is there already, so that no other waits for it.
+T target_times(const Chunk& chunk, const TaylorChunk& steps, const Row& t, int i) {
+    T target = load<T>(t, i);
+    for (int j = chunk.count - i; j < lanes<T>; ++j) lane(target, j) = steps.step.t[i + j];
+    return target;
+}
+
+/// Moves the lanes that have not reached their targets on by a step. The others compute the step that they are at once more.
 template <bool has_tangent>
-bool fly_chunk(Chunk& chunk, TaylorChunk& steps, const double* t, int most) {
+void next_step(const TaylorPendulum<T>& p, TaylorReach reach, const Mask<T>& goes_on, TaylorStep<T>& step,
+               TangentStep<T>& tangent) {
+    if constexpr (has_tangent) tangent.start = choose(goes_on, tangent_at(tangent, step.unit, step.length), tangent.start);
+    auto next = step;
+    go_to_end(next);
+    step.start = choose(goes_on, next.start, step.start);
+    step.t = select<T>(goes_on, next.t, step.t);
+    step.t_lo = select<T>(goes_on, next.t_lo, step.t_lo);
+    Series<T> C;
+    expand(p, reach, step, C);
+    if constexpr (has_tangent) expand_tangent(p, reach.order, step.unit, C, tangent);
+}
+
+/// Takes the pack at i to its target times by at most so many steps, and then puts its state there into the chunk. False when
+/// more steps are needed.
+template <bool has_tangent>
+bool advance_pack(Chunk& chunk, TaylorChunk& steps, const Row& t, int most, int i) {
+    const auto p = taylor_pendulum(load<T, Parameters>(chunk.parameters, i));
+    const TaylorReach reach{steps.order, steps.log2_fraction};
+    const T target = target_times(chunk, steps, t, i);
+    auto step = load<T, TaylorStep>(steps.step, i);
+    TangentStep<T> tangent{};
+    if constexpr (has_tangent) tangent = load<T, TangentStep>(steps.tangent, i);
+    int taken = 0;
+    auto goes_on = ends_before(step, target);
+    for (; taken < most && any<T>(goes_on); ++taken) {
+        next_step<has_tangent>(p, reach, goes_on, step, tangent);
+        give_up_endless(step, target);
+        goes_on = ends_before(step, target);
+    }
+    if (taken > 0) store<T, TaylorStep>(steps.step, i, step);
+    const T since = (target - step.t) - step.t_lo;
+    store<T, Motion>(chunk.motion, i, motion_at(step, since));
+    if constexpr (has_tangent) {
+        store<T, TangentStep>(steps.tangent, i, tangent);
+        store<T, Tangent>(chunk.tangent, i, tangent_at(tangent, step.unit, since));
+    }
+    return !any<T>(goes_on);
+}
+
+template <bool has_tangent>
+bool advance_chunk(Chunk& chunk, TaylorChunk& steps, const Row& t, int most) {
     bool all_there = true;
-    for (int i = 0; i < chunk.count; i += lanes<T>) all_there &= fly<has_tangent, T>(chunk, steps, t, most, i);
+    for (int i = 0; i < chunk.count; i += lanes<T>) all_there &= advance_pack<has_tangent>(chunk, steps, t, most, i);
     return all_there;
 }
 
 }  // namespace
 
-bool taylor(Chunk& chunk, TaylorChunk& steps, const double* t, int most) { return fly_chunk<false>(chunk, steps, t, most); }
+bool taylor(Chunk& chunk, TaylorChunk& steps, const Row& t, int most) { return advance_chunk<false>(chunk, steps, t, most); }
 
-bool taylor_tangent(Chunk& chunk, TaylorChunk& steps, const double* t, int most) {
-    return fly_chunk<true>(chunk, steps, t, most);
+bool taylor_tangent(Chunk& chunk, TaylorChunk& steps, const Row& t, int most) {
+    return advance_chunk<true>(chunk, steps, t, most);
 }
 
 }  // namespace pendula::kernels::inline PENDULA_ISA

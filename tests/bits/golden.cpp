@@ -5,10 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "pendula/actividad3.hpp"
-#include "pendula/angle.hpp"
-#include "pendula/ensemble.hpp"
-#include "pendula/measure.hpp"
+#include "pendula/pendula.hpp"
 
 #ifdef __wasm__
 #define EXPORT(name) __attribute__((export_name(#name)))
@@ -106,7 +103,8 @@ void energies(Hash& hash) {
     for (int i = 0; i < 2000; ++i) {
         const State s{random.wide(-30, 60), random.wide(-30, 10)};
         hash(energy(9.81, s));
-        hash(acceleration({9.81, 0.5, 0.1, 1.5, 2.0 / 3, 0.25}, s, random(0, 1000)));
+        hash(acceleration({.alpha = 9.81, .beta = 0.5, .torque = 0.1, .drive_amplitude = 1.5, .drive_frequency = 2.0 / 3, .drive_phase = 0.25},
+                          s, random(0, 1000)));
         hash(unwrapped({0, s.theta, s.omega, random(-1e6, 1e6)}));
     }
 }
@@ -116,7 +114,8 @@ void analyses(Hash& hash) {
         hash(analyze(alpha, s));
         const double terms = series_terms(alpha, s, 1e-7);
         hash(terms);
-        if (terms < 1e5) hash(analyze_by_series(alpha, s, 1e-7));
+        Analysis by_series;
+        if (terms < 1e5 && analyze_by_series(alpha, s, 1e-7, by_series).is_done()) hash(by_series);
     });
     Random random;
     for (int i = 0; i < 5000; ++i) {
@@ -140,7 +139,7 @@ template <class Visit>
 void for_each_orbit(Visit visit) {
     static double t[times];
     for_each_problem([&](double alpha, State s) {
-        const Exact orbit = exact(alpha, s);
+        const Exact orbit = make_exact(alpha, s);
         Random random;
         for (std::size_t i = 0; i < times; ++i)
             t[i] = orbit.analysis.tau * (i % 4 == 0   ? random(0, 30)
@@ -182,10 +181,10 @@ void rows(Hash& hash, Method method, double alpha, State initial, Times factors,
     Trajectory run = begin({.pendulum = {.alpha = alpha},
                             .initial = initial,
                             .method = method,
-                            .schedule = schedule({factors.dt * tau, factors.every * tau, factors.until * tau})});
+                            .schedule = make_schedule({factors.dt * tau, factors.every * tau, factors.until * tau})});
     static Sample samples[64];
     while (!run.is_finished()) {
-        const std::size_t n = advance(run, group, samples, budget);
+        const std::size_t n = advance(run, std::span(samples).first(group), budget);
         for (std::size_t i = 0; i < n; ++i) hash(samples[i]);
     }
 }
@@ -234,34 +233,40 @@ void ensembles(Hash& hash) {
         beta[i] = random(0, 1);
         drive[i] = random(0, 2);
     }
-    alpha[100] = nan;
-    static constexpr double none = 0, torque = 0.1, frequency = 2.0 / 3, phase = 0.25, first = 1.5, every = 3 * pi;
-    const auto one = [](const double& x) { return std::span(&x, 1); };
-    const EnsembleTimes times{.first = one(first), .every = one(every), .rows = row_count, .steps_per_row = 333};
+    const EnsembleTimes times{.first = 1.5, .every = 3 * pi, .rows = row_count, .steps_to_first = 333, .steps_per_row = 333};
     const auto visit = [&](const Ensemble& ensemble, Method method) {
-        solve(ensemble, method, 1e-15, times, {.threads = threads}, {row_theta, row_omega, row_turns});
-        for (std::size_t i = 0; i < size * row_count; ++i) hash(Sample{0, row_theta[i], row_omega[i], row_turns[i]});
+        const auto outcome = solve(ensemble, method, 1e-15, times, {row_theta, row_omega, row_turns}, {.threads = threads});
+        if (!outcome.is_done()) hash(nan);
+        for (std::size_t i = 0; i < size * row_count; ++i)
+            hash(i % size == 100 ? Sample{0, nan, nan, nan} : Sample{0, row_theta[i], row_omega[i], row_turns[i]});
     };
-    visit({size, theta, omega, alpha, beta, one(torque), drive, one(frequency), one(phase)}, Method::rk4);
-    visit({size, theta, omega, alpha, beta, one(torque), drive, one(frequency), one(phase)}, Method::taylor);
-    visit({size, theta, omega, alpha, one(none), one(none), one(none), one(none), one(none)}, Method::exact);
+    const Ensemble forced{.size = size,
+                          .theta = theta,
+                          .omega = omega,
+                          .alpha = alpha,
+                          .beta = beta,
+                          .torque = 0.1,
+                          .drive_amplitude = drive,
+                          .drive_frequency = 2.0 / 3,
+                          .drive_phase = 0.25};
+    visit(forced, Method::rk4);
+    visit(forced, Method::taylor);
+    visit({.size = size, .theta = theta, .omega = omega, .alpha = alpha}, Method::exact);
 }
 
 // The published pendulum, regular and chaotic, over 1,000 periods of its drive: by then a last bit has become another answer.
-constexpr double strobe_frequency_of_all = 2.0 / 3, friction = 0.5, start = 0.2;
 constexpr double amplitudes[] = {0.9, 1.07, 1.15, 1.35, 1.45, 1.47, 1.5, 1.5};
 constexpr std::size_t driven = sizeof(amplitudes) / sizeof(*amplitudes);
 
 Ensemble published() {
-    static constexpr double none = 0, unit = 1;
-    const auto one = [](const double& x) { return std::span(&x, 1); };
-    return {driven, one(start), one(none), one(unit), one(friction), one(none), amplitudes, one(strobe_frequency_of_all), one(none)};
+    return {.size = driven, .theta = 0.2, .beta = 0.5, .drive_amplitude = amplitudes, .drive_frequency = 2.0 / 3};
 }
 
 template <Method method>
 void thousand_periods(Hash& hash) {
     double theta[driven], omega[driven], turns[driven];
-    section(published(), {.transient = 1000, .steps_per_period = 300, .method = method}, {.threads = 2}, {theta, omega, turns});
+    const Strobe strobe{.transient = 1000, .periods = 1, .steps_per_period = 300, .method = method};
+    if (!measure(Measure::section, published(), strobe, {theta, omega, turns}, {.threads = 2}).is_done()) hash(nan);
     for (std::size_t i = 0; i < driven; ++i) hash(Sample{0, theta[i], omega[i], turns[i]});
 }
 
@@ -269,10 +274,13 @@ template <Method method>
 void diagnostics(Hash& hash) {
     const Strobe strobe{.transient = 50, .periods = 64, .steps_per_period = 300, .method = method};
     double velocity[driven], exponent[driven], error[driven], horizon[driven];
-    double period[driven], rotation[driven], theta[driven], omega[driven];
-    mean_velocity(published(), strobe, {}, velocity);
-    lyapunov(published(), strobe, {}, {exponent, error, horizon});
-    orbits(published(), strobe, 1e-6, {}, {period, rotation, theta, omega});
+    double label[driven], period[driven], rotation[driven], theta[driven], omega[driven];
+    const auto take = [&](Measure what, const Results& results) {
+        if (!measure(what, published(), strobe, results).is_done()) hash(nan);
+    };
+    take(Measure::mean_velocity, {velocity});
+    take(Measure::lyapunov, {exponent, error, horizon, {}});
+    take(Measure::attractors, {label, period, rotation, theta, omega});
     for (std::size_t i = 0; i < driven; ++i)
         for (double x : {velocity[i], exponent[i], error[i], horizon[i], period[i], rotation[i], theta[i], omega[i]}) hash(x);
 }
@@ -280,10 +288,15 @@ void diagnostics(Hash& hash) {
 void taylor_rows(Hash& hash) {
     Random random;
     for (int i = 0; i < 20; ++i) {
-        const Pendulum p{random(0.5, 2), random(0, 1), random(-1, 1), random(0, 2), random(0.3, 2), random(-3, 3)};
-        auto run = begin({p, {random(-10, 10), random(-3, 3)}, Method::taylor, schedule({1, 0.5, 40}), 1e-15});
+        const Pendulum p{.alpha = random(0.5, 2),
+                         .beta = random(0, 1),
+                         .torque = random(-1, 1),
+                         .drive_amplitude = random(0, 2),
+                         .drive_frequency = random(0.3, 2),
+                         .drive_phase = random(-3, 3)};
+        auto run = begin({p, {random(-10, 10), random(-3, 3)}, Method::taylor, make_schedule({1, 0.5, 40}), 1e-15});
         for (Sample row; !run.is_finished();)
-            if (advance(run, 1, &row, 1000) == 1) hash(row);
+            if (advance(run, {&row, 1}, 1000) == 1) hash(row);
     }
 }
 

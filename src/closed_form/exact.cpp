@@ -2,7 +2,7 @@
 
 #include "arithmetic/elliptic.hpp"
 #include "arithmetic/exponential.hpp"
-#include "energy_balance.hpp"
+#include "closed_form/energy_balance.hpp"
 #include "kernels/dispatch.hpp"
 #include "kernels/exact_kernel.hpp"
 #include "pendula/angle.hpp"
@@ -127,7 +127,7 @@ void set_rotation(Exact& e, const EnergyBalance& b) noexcept {
 
 }  // namespace
 
-Exact exact(double alpha, State initial) noexcept {
+Exact make_exact(double alpha, State initial) noexcept {
     Exact e{};
     e.initial = initial;
     if (!is_legal(alpha, initial)) {

@@ -2,7 +2,8 @@
 
 #include "arithmetic/arctangent.hpp"
 #include "arithmetic/exponential.hpp"
-#include "energy_balance.hpp"
+#include "checks.hpp"
+#include "closed_form/energy_balance.hpp"
 #include "pendula/angle.hpp"
 
 namespace pendula {
@@ -11,8 +12,6 @@ using namespace arithmetic;
 using Number = EnergyBalance::Number;
 
 namespace {
-
-constexpr double infinity = __builtin_inf();
 
 /// The power of two at or below |x| > 0, normal or not.
 double power_of_two_below(double x) noexcept {
@@ -75,9 +74,7 @@ Analysis nothing() noexcept { return {Regime::oscillation, __builtin_nan(""), __
 
 }  // namespace
 
-bool is_legal(double alpha, State initial) noexcept {
-    return alpha > 0 && alpha < infinity && abs(initial.theta) < infinity && abs(initial.omega) < infinity;
-}
+bool is_legal(double alpha, State initial) noexcept { return !check(Pendulum{.alpha = alpha}, initial); }
 
 EnergyBalance balance_energy(double alpha, State initial) noexcept {
     EnergyBalance b{};
@@ -116,7 +113,7 @@ Analysis analyze(double alpha, State initial) noexcept {
 double characteristic_time(const Pendulum& p, State initial) noexcept {
     if (is_conservative(p)) return analyze(p.alpha, initial).tau;
     if (!is_legal(p.alpha, initial)) return nothing().tau;
-    return 2 * pi / (p.drive_amplitude != 0 ? p.drive_frequency : sqrt(p.alpha));
+    return 2 * pi / (is_driven(p) ? p.drive_frequency : sqrt(p.alpha));
 }
 
 bool rests_on_top(const Pendulum& p, State initial) noexcept {
@@ -134,23 +131,28 @@ double series_terms(double alpha, State initial, double epsilon) noexcept {
     return terms > 0 ? ceiling(terms) : 0;
 }
 
-Analysis analyze_by_series(double alpha, State initial, double epsilon) noexcept {
-    Analysis result = analyze(alpha, initial);
-    if (result.regime == Regime::separatrix) return result;
+Outcome analyze_by_series(double alpha, State initial, double epsilon, Analysis& analysis, const Control& control) noexcept {
+    if (const auto refusal = check(Pendulum{.alpha = alpha}, initial)) return refusal;
+    if (const auto refusal = check_rule("epsilon", epsilon, Rule::fraction)) return refusal;
     const double last = series_terms(alpha, initial, epsilon);
-    result.tau = __builtin_nan("");
-    if (!(last <= series_terms_limit)) return result;
+    if (last > series_terms_limit) return Refusal{.reason = Refusal::Reason::too_many_terms, .value = last, .most = series_terms_limit};
+    analysis = analyze(alpha, initial);
+    if (analysis.regime == Regime::separatrix) return {};
+    constexpr double terms_between_looks = 1 << 20;
     const auto b = balance_energy(alpha, initial);
     const double r = series_modulus(b, alpha).r;
-    double term = 1, sum = 1;
-    for (double n = 1; n <= last; ++n) {
-        const double factor = (2 * n - 1) / (2 * n);
-        term *= (factor * r) * (factor * r);
-        sum += term;
+    double term = 1, sum = 1, n = 1;
+    while (n <= last) {
+        if (!control.proceed(n / last)) return Outcome::Kind::stopped;
+        for (const double end = n + terms_between_looks; n <= last && n < end; ++n) {
+            const double factor = (2 * n - 1) / (2 * n);
+            term *= (factor * r) * (factor * r);
+            sum += term;
+        }
     }
     const double root = sqrt(b.regime == Regime::oscillation ? b.alpha : b.rise.hi) * b.unit;
-    result.tau = (b.regime == Regime::oscillation ? 2 * pi : pi) / root * sum;
-    return result;
+    analysis.tau = (b.regime == Regime::oscillation ? 2 * pi : pi) / root * sum;
+    return {};
 }
 
 }  // namespace pendula

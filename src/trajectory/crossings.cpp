@@ -1,9 +1,11 @@
-#include "taylor_scalar.hpp"
+#include "pendula/crossings.hpp"
+
+#include "checks.hpp"
+#include "trajectory/scalar.hpp"
 
 namespace pendula {
 
 using namespace arithmetic;
-using kernels::Motion;
 using kernels::TaylorStep;
 
 namespace {
@@ -34,7 +36,7 @@ bool keeps_its_sign(const Polynomial& p) noexcept {
     return abs(p.a[0]) > others;
 }
 
-/// Where a monotone function changes its sign between two points: 64 halvings leave no double between them.
+/// Where a monotone function changes its sign between two points, by bisection: 64 halvings leave no double between them.
 double change_between(const Polynomial& p, double low, double high) noexcept {
     const bool rises = p(low) < 0;
     for (int i = 0; i < 64; ++i) {
@@ -44,8 +46,9 @@ double change_between(const Polynomial& p, double low, double high) noexcept {
     return high;
 }
 
-/// The points of (0, 1) where p changes its sign, in order: at most one between two of its derivative's, which are found in
-/// the same way, down to a derivative that keeps its sign for a bound's sake, at the latest a constant.
+/// The points of (0, 1) where p changes its sign, in order. Between two sign changes of its derivative p is monotone and has at
+/// most one. Those of the derivative are found in the same way, by recursion, until a polynomial has |a[0]| > sum |a[k]| and
+/// keeps its sign on [0, 1], at the latest a constant.
 int sign_changes(const Polynomial& p, double (&points)[most_terms]) noexcept {
     if (p.terms < 2 || keeps_its_sign(p)) return 0;
     double cuts[most_terms];
@@ -56,7 +59,7 @@ int sign_changes(const Polynomial& p, double (&points)[most_terms]) noexcept {
     for (int i = 0; i < cut_count; ++i) {
         const double next = p(cuts[i]);
         if ((value < 0 && next > 0) || (value > 0 && next < 0)) points[count++] = change_between(p, low, cuts[i]);
-        if (next == 0) continue;  // the sign before it stays in force
+        if (next == 0) continue;  // the sign of p before this point still counts
         low = cuts[i];
         value = next;
     }
@@ -67,18 +70,18 @@ int sign_changes(const Polynomial& p, double (&points)[most_terms]) noexcept {
 void cut_step(Crossings& search) noexcept {
     const Taylor& run = search.run;
     Polynomial v{{}, run.order + 1};
-    const double x = run.length / run.unit;
+    const double x = run.step.length / run.step.unit;
     double power = 1;
-    for (int k = 0; k < v.terms; ++k, power *= x) v.a[k] = run.series[k] * power;
+    for (int k = 0; k < v.terms; ++k, power *= x) v.a[k] = run.step.series[k] * power;
     double points[most_terms];
     search.cut_count = sign_changes(search.crossed == Crossed::theta ? v : derivative(v), points);
-    for (int i = 0; i < search.cut_count; ++i) search.cuts[i] = points[i] * run.length;
-    search.cuts[search.cut_count++] = run.length;
+    for (int i = 0; i < search.cut_count; ++i) search.cuts[i] = points[i] * run.step.length;
+    search.cuts[search.cut_count++] = run.step.length;
     search.cut = 0;
 }
 
 /// Twice the level of what is crossed where it is upon one, and the odd number between two levels elsewhere.
-double side_of(Crossed crossed, const Motion<double>& m) noexcept {
+double side_of(Crossed crossed, const kernels::Motion<double>& m) noexcept {
     const double x = crossed == Crossed::theta ? m.theta : m.omega;
     const double sign = x > 0 ? 1 : x < 0 ? -1 : 0;
     return crossed == Crossed::theta ? 2 * m.turns + sign : sign;
@@ -98,26 +101,26 @@ Departure departure(const Crossings& search, const TaylorStep<double>& step, dou
     return {m.omega + m.omega_lo, slope / (step.unit * step.unit)};
 }
 
-/// When a level is crossed between two times of the step, by Newton's method kept within bounds that halve every other turn:
-/// 128 turns are enough to leave no double between them.
+/// When a level is crossed between two times of the step, by safeguarded Newton iteration: Newton's steps and bisections take
+/// turns, and a Newton step out of the bracket is replaced by a bisection. 128 iterations leave no double in the bracket.
 double time_of_crossing(const Crossings& search, const TaylorStep<double>& step, double low, double high,
                         double level) noexcept {
     const bool rises = side_of(search.crossed, motion_at(step, low)) < level;
     double since = 0.5 * (low + high);
-    for (int turn = 0; turn < 128; ++turn) {
+    for (int iteration = 0; iteration < 128; ++iteration) {
         const auto d = departure(search, step, since, level);
         if (d.value == 0) return since;
         ((d.value < 0) == rises ? low : high) = since;
         const double next = since - d.value / d.rate;
         if (abs(next - since) <= 0x1p-54 * step.length) return since;
-        since = turn % 2 == 0 && next > low && next < high ? next : 0.5 * (low + high);
+        since = iteration % 2 == 0 && next > low && next < high ? next : 0.5 * (low + high);
     }
     return since;
 }
 
 Sample sample_at(const TaylorStep<double>& step, double since) noexcept {
     const auto m = motion_at(step, since);
-    return {(step.t + since).hi, m.theta, m.omega, m.turns};
+    return {(DoubleDouble<double>{step.t, step.t_lo} + since).hi, m.theta, m.omega, m.turns};
 }
 
 /// The crossing of the next level on the way to the cut at which the search is, if that is beyond one.
@@ -144,9 +147,9 @@ bool crosses(Crossings& search, const TaylorStep<double>& step, double until, Cr
 
 }  // namespace
 
-Crossings crossings(const Pendulum& pendulum, State initial, Crossed crossed, double tolerance, double t) noexcept {
+Crossings make_crossings(const Pendulum& pendulum, State initial, Crossed crossed, double tolerance, double t) noexcept {
     Crossings search;
-    search.run = taylor(pendulum, initial, tolerance, t);
+    search.run = make_taylor(pendulum, initial, tolerance, t);
     search.crossed = crossed;
     const double side = side_of(crossed, step_of(search.run).start);
     if (side != 2 * round_even(0.5 * side)) search.side = side;
@@ -155,7 +158,7 @@ Crossings crossings(const Pendulum& pendulum, State initial, Crossed crossed, do
 }
 
 bool next_crossing(Crossings& search, double until, Crossing& crossing, double step_budget) noexcept {
-    while (search.run.length == search.run.length) {
+    while (search.run.step.length == search.run.step.length) {
         const auto at_step = step_of(search.run);
         while (search.cut < search.cut_count) {
             const int cut = search.cut;
@@ -169,17 +172,28 @@ bool next_crossing(Crossings& search, double until, Crossing& crossing, double s
     return false;
 }
 
-double measured_period(const Pendulum& pendulum, State initial, double until, double tolerance) noexcept {
-    auto search = crossings(pendulum, initial, Crossed::theta, tolerance);
+Outcome measured_period(const Pendulum& pendulum, State initial, double until, double tolerance, double& period,
+                        const Control& control) noexcept {
+    if (const auto refusal = check(pendulum, initial)) return refusal;
+    if (const auto refusal = check(pendulum, Method::taylor, tolerance)) return refusal;
+    if (const auto refusal = check_rule("until", until, Rule::not_negative)) return refusal;
+    constexpr double steps_between_looks = 256;
+    auto search = make_crossings(pendulum, initial, Crossed::theta, tolerance);
     Crossing first, next;
-    if (!next_crossing(search, until, first)) return __builtin_nan("");
-    double periods = 0, last = first.sample.t;
-    while (next_crossing(search, until, next)) {
-        if (next.is_rising != first.is_rising) continue;
-        ++periods;
-        last = next.sample.t;
+    double crossings = 0, periods = 0, last = 0;
+    for (;;) {
+        if (next_crossing(search, until, next, steps_between_looks)) {
+            if (++crossings == 1) first = next;
+            if (crossings == 1 || next.is_rising != first.is_rising) continue;
+            ++periods;
+            last = next.sample.t;
+        } else if (reaches(search.run, until)) {
+            period = periods > 0 ? (last - first.sample.t) / periods : __builtin_nan("");
+            return {};
+        } else if (!control.proceed(search.run.step.t / until)) {
+            return Outcome::Kind::stopped;
+        }
     }
-    return periods > 0 ? (last - first.sample.t) / periods : __builtin_nan("");
 }
 
 }  // namespace pendula

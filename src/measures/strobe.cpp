@@ -1,0 +1,125 @@
+#include "measures/strobe.hpp"
+
+#include "arithmetic/exponential.hpp"
+#include "kernels/rk4_kernel.hpp"
+#include "pendula/angle.hpp"
+
+namespace pendula {
+
+using arithmetic::abs;
+using arithmetic::ceiling;
+using arithmetic::sqrt;
+using kernels::Chunk;
+using kernels::chunk_size;
+using kernels::Row;
+
+namespace {
+
+constexpr double nan = __builtin_nan("");
+constexpr double two_pi = 2 * pi;
+
+/// Brings tangent vectors back to length 1 and counts their growth.
+void renormalise(StrobedMembers& m, int i) noexcept {
+    auto& d = m.chunk.tangent;
+    const double d_omega = d.omega[i] / m.root_alpha[i];
+    const double length = sqrt(d.theta[i] * d.theta[i] + d_omega * d_omega);
+    m.growth[i] += arithmetic::log(length);
+    d.theta[i] /= length;
+    d.omega[i] /= length;
+}
+
+/// Takes members over their lengths [s] from time 0, by rk4.
+bool take_steps(StrobedMembers& m, const Row& length, const Way& way) noexcept {
+    // Between looks at whether to go on, and between renormalisations: within stability a step changes a tangent vector's
+    // length by a factor from 0.27 to e, and 256 of them by none that leaves the range of doubles.
+    constexpr int most = 8 * kernels::block_steps;
+    constexpr Row start = {};
+    return rk4_over(m.chunk, start, length, way.strobe.steps_per_period, way.has_tangent, most, way.thread, [&] {
+        for (int i = 0; way.has_tangent && i < m.chunk.count; ++i) renormalise(m, i);
+    });
+}
+
+/// Times at which a member's tangent vector is renormalised on its way: before it can grow or shrink by more than e^64.
+double piece_count(const StrobedMembers& m, int i, double length) noexcept {
+    const auto& p = m.chunk.parameters;
+    const double pieces = ceiling(length * (sqrt(p.alpha[i] + abs(p.pivot_amplitude[i])) + p.beta[i]) / 64);
+    return pieces > 1 && m.chunk.motion.theta[i] == m.chunk.motion.theta[i] ? pieces : 1;
+}
+
+/// The same by Taylor's method, in pieces that depend on each member alone.
+bool take_taylor_steps(StrobedMembers& m, const Row& length, const Way& way) noexcept {
+    Row pieces, start = {}, target;
+    double longest = 1;
+    for (int i = 0; i < chunk_size; ++i) {
+        pieces[i] = way.has_tangent ? piece_count(m, i, length[i]) : 1;
+        longest = pieces[i] > longest ? pieces[i] : longest;
+    }
+    kernels::TaylorChunk steps;
+    for (double piece = 0; piece < longest; ++piece) {
+        const Chunk before = m.chunk;
+        for (int i = 0; i < chunk_size; ++i) target[i] = piece + 1 < pieces[i] ? (piece + 1) / pieces[i] * length[i] : length[i];
+        start_taylor(steps, m.chunk, way.strobe.tolerance, start);
+        if (!taylor_to(m.chunk, steps, target, way.has_tangent, way.thread)) return false;
+        for (int i = 0; i < m.chunk.count; ++i) {
+            if (piece >= pieces[i])
+                keep_member(m.chunk, before, i);
+            else if (way.has_tangent)
+                renormalise(m, i);
+            start[i] = target[i];
+        }
+    }
+    return true;
+}
+
+/// Takes members over their lengths [s], and rounds their states to the doubles that are reported.
+bool go(StrobedMembers& m, const Row& length, const Way& way) noexcept {
+    if (!(way.strobe.method == Method::taylor ? take_taylor_steps(m, length, way) : take_steps(m, length, way))) return false;
+    for (int i = 0; i < chunk_size; ++i) m.chunk.motion.theta_lo[i] = m.chunk.motion.omega_lo[i] = 0;
+    hold_resting(m.chunk);
+    return true;
+}
+
+}  // namespace
+
+double strobe_frequency(const Pendulum& p) noexcept {
+    if (p.drive_frequency > 0) return p.drive_frequency;
+    return !is_driven(p) && p.drive_frequency == 0 ? sqrt(p.alpha) : nan;
+}
+
+double fewest_steps(const Pendulum& p) noexcept {
+    const double friction = p.beta / 2.78, swing = sqrt(p.alpha + abs(p.pivot_amplitude)) / 2.82;
+    return ceiling(two_pi / strobe_frequency(p) * (friction > swing ? friction : swing));
+}
+
+void load_strobed(StrobedMembers& m, const Ensemble& ensemble, std::size_t first) noexcept {
+    load_members(m, ensemble, first);
+    for (int i = 0; i < chunk_size; ++i) {
+        const auto p = i < m.chunk.count ? pendulum_of(ensemble, m.number[i]) : Pendulum{};
+        m.frequency[i] = strobe_frequency(p);
+        m.period[i] = two_pi / m.frequency[i];
+        m.root_alpha[i] = sqrt(p.alpha);
+        m.growth[i] = 0;
+    }
+}
+
+bool go_to_first_strobe(StrobedMembers& m, const Way& way) noexcept {
+    Row length;
+    bool moves = false;
+    for (int i = 0; i < chunk_size; ++i) {
+        const double phase = wrap(-m.chunk.parameters.drive_phase[i]);
+        length[i] = (phase < 0 ? phase + two_pi : phase) / m.frequency[i];
+        moves = moves || length[i] > 0;
+    }
+    if (!moves) return true;
+    if (!go(m, length, {way.strobe, way.thread, false})) return false;
+    for (double& phase : m.chunk.parameters.drive_phase) phase = 0;
+    return true;
+}
+
+bool go_to_next_strobe(StrobedMembers& m, const Way& way) noexcept {
+    if (!go(m, m.period, way)) return false;
+    way.thread.report(m.chunk.count);
+    return true;
+}
+
+}  // namespace pendula

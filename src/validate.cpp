@@ -31,7 +31,7 @@ std::string shortest(double value) {
     return {digits, std::to_chars(digits, digits + sizeof digits, value).ptr};
 }
 
-/// {n} name, {v} value, {l} least, {m} most, {r} the rule's interval.
+/// {n} name, {v} value, {l} least, {m} most, {w} legal words, {r} the rule's interval.
 Words pattern_of(Refusal::Reason reason) {
     using enum Refusal::Reason;
     switch (reason) {
@@ -43,8 +43,8 @@ Words pattern_of(Refusal::Reason reason) {
             return {"{n} must be a whole number from {l} to {m}, got {v}", "{n} debe ser un entero de {l} a {m}, y es {v}"};
         case length:
             return {"{n} must have {l} values, got {v}", "{n} debe tener {l} valores, y tiene {v}"};
-        case unknown_method:
-            return {"{n} is none that this call has", "{n} no es ninguno de los que hay aquí"};
+        case not_among:
+            return {"{n} must be one of {w}", "{n} debe ser uno de {w}"};
         case not_conservative:
             return {"method {n} needs a pendulum without friction, torque, drive and shaken pivot",
                     "el método {n} necesita un péndulo sin rozamiento, par, forzamiento ni pivote agitado"};
@@ -89,6 +89,7 @@ std::string describe(const Refusal& refusal, Language language, const std::strin
                 : place == 'v' ? shortest(refusal.value)
                 : place == 'l' ? shortest(refusal.least)
                 : place == 'm' ? shortest(refusal.most)
+                : place == 'w' ? refusal.legal
                                : say(legal_of(refusal.rule));
         i += 2;
     }

@@ -118,7 +118,7 @@ struct Refusal {
         interval,          ///< `value` of `name` is outside `rule`
         whole,             ///< `value` of `name` is no whole number from `least` to `most`
         length,            ///< `name` has `value` elements, or is null; it needs `least`
-        unknown_method,    ///< `name` is not one of the methods that this call has
+        not_among,         ///< `name` is none of the words in `legal`
         not_conservative,  ///< method `name` needs a pendulum without friction and forcing
         has_friction,      ///< method `name` needs a pendulum without friction
         unstable,          ///< `name` is `value`; with fewer steps than `least` the method is unstable
@@ -135,6 +135,7 @@ struct Refusal {
     double least = 0;
     double most = 0;
     Rule rule = Rule::finite;
+    const char* legal = "";          ///< words that would be legal
     std::size_t member = no_member;  ///< of the ensemble whose member it is
 
     static constexpr std::size_t no_member = static_cast<std::size_t>(-1);

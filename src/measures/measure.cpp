@@ -51,7 +51,7 @@ struct MeanVelocityObserver {
 
 Refusal check(const Strobe& strobe) noexcept {
     if (strobe.method != Method::rk4 && strobe.method != Method::taylor)
-        return {.reason = Refusal::Reason::unknown_method, .name = "method"};
+        return {.reason = Refusal::Reason::not_among, .name = "method", .legal = "rk4, taylor"};
     if (const auto refusal = check_count("transient", strobe.transient, 0)) return refusal;
     if (const auto refusal = check_count("periods", strobe.periods, 1)) return refusal;
     if (const auto refusal = check_count("steps_per_period", strobe.steps_per_period, 1)) return refusal;
@@ -99,7 +99,7 @@ std::size_t rows_of(const ResultColumn& column, const Strobe& strobe) noexcept {
 Outcome measure(Measure what, const Ensemble& ensemble, const Strobe& strobe, const Results& results,
                 const Control& control) noexcept {
     if (!(what >= Measure::section && what <= Measure::attractors))
-        return Refusal{.reason = Refusal::Reason::unknown_method, .name = "measure"};
+        return Refusal{.reason = Refusal::Reason::not_among, .name = "measure", .legal = "section, mean_velocity, lyapunov, attractors"};
     const MeasureCall call{ensemble, strobe, results.columns()};
     if (const auto refusal = check(strobe)) return refusal;
     if (const auto refusal = check_call(ensemble, control)) return refusal;

@@ -104,7 +104,7 @@ Refusal check(const Schedule& s) noexcept {
 
 Refusal check(const Pendulum& p, Method method, double tolerance) noexcept {
     using enum Refusal::Reason;
-    if (!(method >= Method::rk4 && method <= Method::exact)) return {.reason = unknown_method, .name = "method"};
+    if (!(method >= Method::rk4 && method <= Method::exact)) return {.reason = not_among, .name = "method", .legal = "rk4, euler, verlet, taylor, exact"};
     if (method == Method::exact && !is_conservative(p)) return {.reason = not_conservative, .name = "exact"};
     if (method == Method::verlet && p.beta != 0) return {.reason = has_friction, .name = "verlet", .value = p.beta};
     return check_rule("tolerance", tolerance, Rule::fraction);

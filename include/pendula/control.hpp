@@ -24,13 +24,15 @@ struct [[nodiscard]] Outcome {
     constexpr bool is_done() const noexcept { return kind == Kind::done; }
 };
 
-/// A function of the fraction done, in [0, 1], that returns whether to go on: a lambda of at most four captured references, or
-/// a plain function. It is kept by value, and called some hundred times a second by the thread that made the call.
+/// A function of the fraction done, in [0, 1], that returns whether to go on: a lambda that captures at most 32 bytes (four
+/// references), or a plain function. It is kept by value, and called some hundred times a second by the thread that made the call.
 class Proceed {
+    static constexpr std::size_t room = 32;
+
   public:
     constexpr Proceed() noexcept = default;
     template <std::invocable<double> Function>
-        requires(std::is_trivially_copyable_v<Function> && sizeof(Function) <= 4 * sizeof(void*))
+        requires(std::is_trivially_copyable_v<Function> && sizeof(Function) <= room)
     Proceed(Function function) noexcept {
         __builtin_memcpy(function_, &function, sizeof function);
         call_ = [](const void* f, double done) { return static_cast<bool>((*static_cast<const Function*>(f))(done)); };
@@ -38,7 +40,7 @@ class Proceed {
     bool operator()(double done) const { return !call_ || call_(function_, done); }
 
   private:
-    alignas(void*) unsigned char function_[4 * sizeof(void*)] = {};
+    alignas(double) unsigned char function_[room] = {};
     bool (*call_)(const void*, double) = nullptr;
 };
 

@@ -1,8 +1,10 @@
-"""Makes tests/data/driven.txt and pivot.txt: the pendulum with friction, torque, drive and pivot, by its Taylor series in 75 digits.
+"""Makes tests/data/driven.txt and pivot.txt: the forced pendulum by its Taylor series in 75 digits.
+
+pivot.txt has a shaken pivot as well, and how a small displacement grows.
 
     python tools/make_driven.py driven > tests/data/driven.txt     (needs python-flint; minutes)
     python tools/make_driven.py pivot > tests/data/pivot.txt
-    python tools/make_driven.py pivot check                        (every step halved, order 80 for 60, 90 digits: the same text)
+    python tools/make_driven.py pivot check     (every step halved, order 80 for 60, 90 digits: the same text)
 
 Numbers are fixed-point integers in units of 2^-BITS.
 """
@@ -12,7 +14,6 @@ import sys
 from operator import mul
 
 from flint import arb, ctx
-
 from reference_table import pair, text
 
 CHECK = sys.argv[2:] == ["check"]
@@ -24,47 +25,47 @@ ctx.prec = BITS + 64
 # Of driven.txt: alpha, beta, torque, drive_amplitude, drive_frequency, drive_phase, theta, omega.
 BAKER = [(1.0, 0.5, 0.0, g, 2 / 3, 0.0, 0.2, 0.0) for g in (0.9, 1.07, 1.15, 1.35, 1.45, 1.47, 1.5)]
 REGULAR = [
-    (1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.5, 0.0),       # the pendulum of the assignment
+    (1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.5, 0.0),  # the pendulum of the assignment
     (1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1e-9, 0.0),
     (9.81, 0.0, 0.0, 0.0, 0.0, 0.0, -2.0, 8.0),
     (1.0, 0.25, 0.0, 0.0, 0.0, 0.0, 3.0, 0.5),
-    (1.0, 0.1, 1.2, 0.0, 0.0, 0.0, 0.0, 0.0),       # runs away until friction holds it
+    (1.0, 0.1, 1.2, 0.0, 0.0, 0.0, 0.0, 0.0),  # runs away until friction holds it
     (1.0, 0.0, 0.3, 0.0, 0.0, 0.0, -1.0, 0.25),
     (2.0, 0.5, 0.5, 1.25, 3.0, 0.75, 0.5, -1.0),
-    (0.25, 3.0, 0.1, 0.5, 1.0, -2.0, 0.1, 0.0),     # overdamped
-    (1.0, 0.2, 0.0, 20.0, 12.0, 1.0, 0.0, 1.0),     # driven fast
-    (1.0, 0.0, 0.0, 1e-6, 0.5, 0.0, 0.0, 0.0),      # from rest by a weak drive
+    (0.25, 3.0, 0.1, 0.5, 1.0, -2.0, 0.1, 0.0),  # overdamped
+    (1.0, 0.2, 0.0, 20.0, 12.0, 1.0, 0.0, 1.0),  # driven fast
+    (1.0, 0.0, 0.0, 1e-6, 0.5, 0.0, 0.0, 0.0),  # from rest by a weak drive
 ]
 CHAOTIC = [
     (1.0, 0.25, 0.0, 1.5, 2 / 3, 0.5, 1.0, 0.0),
-    (1.0, 0.0, 0.0, 1.0, 1.25, 0.0, 2.0, 0.1),      # without friction
+    (1.0, 0.0, 0.0, 1.0, 1.25, 0.0, 2.0, 0.1),  # without friction
     (1.0, 0.1, 0.05, 1.0, 0.7, 0.0, -1.0, 2.0),
 ]
 TIMES = [0.125, 1.0, 7.5, 20.0, 35.0, 50.0]
 
 # Of pivot.txt: alpha, beta, torque, drive_amplitude, pivot_amplitude, drive_frequency, drive_phase, theta, omega.
 PIVOT_CASES = [
-    (1.0, 0.0, 0.0, 0.0, 30.0, 20.0, 0.0, 3.0, 0.0),       # about the upright state, which is stable above 28.3
+    (1.0, 0.0, 0.0, 0.0, 30.0, 20.0, 0.0, 3.0, 0.0),  # about the upright state, which is stable above 28.3
     (1.0, 0.1, 0.0, 0.0, 40.0, 20.0, 0.5, 2.5, 0.0),
     (1.0, 0.0, 0.0, 0.0, -30.0, 20.0, 0.0, 3.1, 0.05),
     (1.0, 0.2, 0.0, 0.0, 170.0, 20.0, 1.0, 3.0, 0.0),
     (9.81, 0.05, 0.0, 0.0, 2000.0, 188.0, 0.0, 3.0, 0.1),
     (1.0, 0.0, 0.0, 0.0, 600.0, 60.0, 0.0, 2.0, 0.0),
-    (1.0, 0.0, 0.0, 0.0, 30.0, 20.0, 0.0, 0.5, 0.0),       # about the bottom
-    (1.0, 0.2, 0.0, 0.0, 25.0, 15.0, -2.0, 10.0, 0.0),     # theta not wrapped
-    (1.0, 0.0, 0.0, 0.0, 0.5, 0.3, 0.0, 1.0, 0.0),         # slow
-    (1.0, 0.3, 0.0, 0.0, 5.0, 0.3, 0.0, 1.0, 0.0),         # slow, and gravity changes its sign
-    (1.0, 0.05, 0.0, 0.0, 0.5, 2.0, 0.0, 0.01, 0.0),       # in the first tongue of Mathieu's equation
-    (1.0, 0.0, 0.0, 0.0, 0.2, 1.5, 0.25, 1e-9, 0.0),       # beside it
-    (1.0, 0.0, 0.0, 0.0, 0.5, 2.0, 0.0, 0.0, 0.0),         # at rest, where only the tangent vector grows
+    (1.0, 0.0, 0.0, 0.0, 30.0, 20.0, 0.0, 0.5, 0.0),  # about the bottom
+    (1.0, 0.2, 0.0, 0.0, 25.0, 15.0, -2.0, 10.0, 0.0),  # theta not wrapped
+    (1.0, 0.0, 0.0, 0.0, 0.5, 0.3, 0.0, 1.0, 0.0),  # slow
+    (1.0, 0.3, 0.0, 0.0, 5.0, 0.3, 0.0, 1.0, 0.0),  # slow, and gravity changes its sign
+    (1.0, 0.05, 0.0, 0.0, 0.5, 2.0, 0.0, 0.01, 0.0),  # in the first tongue of Mathieu's equation
+    (1.0, 0.0, 0.0, 0.0, 0.2, 1.5, 0.25, 1e-9, 0.0),  # beside it
+    (1.0, 0.0, 0.0, 0.0, 0.5, 2.0, 0.0, 0.0, 0.0),  # at rest, where only the tangent vector grows
     (9.81, 0.02, 0.0, 0.0, -2.0, 6.26, 0.0, 0.2, 0.0),
-    (1.0, 0.0, 0.0, 0.0, 1e-6, 2.0, 0.0, 1.0, 0.0),        # hardly shaken
-    (1.0, 0.3, 0.5, 0.0, 0.8, 1.7, 0.3, -1.0, 0.0),        # with a torque
-    (2.0, 0.5, 0.5, 1.25, -1.5, 3.0, 0.75, 0.5, -1.0),     # with everything
-    (0.25, 3.0, 0.1, 0.5, 2.0, 1.0, -2.0, 0.1, 0.0),       # overdamped
-    (1.0, 0.1, 0.0, 0.0, 3.0, 2.5, 0.0, -7.5, 3.0),        # turns with the pivot
-    (1.0, 0.0, 0.0, 0.0, 5.0, 0.7, 0.0, 0.0, 30.0),        # turns fast
-    (1.0, 0.0, 0.0, 0.0, 0.5, 1.25, 0.0, 2.0, 0.1),        # chaotic, these and the rest
+    (1.0, 0.0, 0.0, 0.0, 1e-6, 2.0, 0.0, 1.0, 0.0),  # hardly shaken
+    (1.0, 0.3, 0.5, 0.0, 0.8, 1.7, 0.3, -1.0, 0.0),  # with a torque
+    (2.0, 0.5, 0.5, 1.25, -1.5, 3.0, 0.75, 0.5, -1.0),  # with everything
+    (0.25, 3.0, 0.1, 0.5, 2.0, 1.0, -2.0, 0.1, 0.0),  # overdamped
+    (1.0, 0.1, 0.0, 0.0, 3.0, 2.5, 0.0, -7.5, 3.0),  # turns with the pivot
+    (1.0, 0.0, 0.0, 0.0, 5.0, 0.7, 0.0, 0.0, 30.0),  # turns fast
+    (1.0, 0.0, 0.0, 0.0, 0.5, 1.25, 0.0, 2.0, 0.1),  # chaotic, these and the rest
     (1.0, 0.1, 0.05, 0.0, -1.2, 0.7, 0.0, -1.0, 2.0),
     (1.0, 0.2, 0.1, 0.0, 1.4, 1.8, 0.0, 1.0, 0.0),
     (1.0, 0.2, 0.0, 0.0, 1.6, 2.0, 0.5, 1.0, 0.0),
@@ -120,7 +121,10 @@ def horner(x, h):
 
 
 def solve(pendulum, theta, omega, times):
-    """(t, theta, omega, d_theta, d_omega) at the times, the tangent vector being (1, 0) at t = 0; the check, not a bound, tells the error."""
+    """(t, theta, omega, d_theta, d_omega) at the times; the tangent vector is (1, 0) at t = 0.
+
+    The error is known from the check, not from a bound.
+    """
     p, state = [fixed(arb(v)) for v in pendulum], [fixed(arb(v)) for v in (theta, omega, 1, 0)]
     alpha, beta, torque, amplitude, pivot, frequency, _ = pendulum
     t = 0
@@ -146,7 +150,8 @@ def driven():
 
 def pivot():
     print("# problem alpha beta torque drive_amplitude pivot_amplitude drive_frequency drive_phase theta omega")
-    print("# at t theta omega d_theta d_omega     theta unwrapped; (1, 0) grown by the linearised equation; pairs: nearest double and rest")
+    print("# at t theta omega d_theta d_omega     theta unwrapped; pairs: nearest double and rest")
+    print("#     (d_theta, d_omega) was (1, 0) at t = 0 and follows the linearised equation")
     for problem in PIVOT_CASES:
         print("problem", *map(text, problem))
         for t, *values in solve(problem[:7], *problem[7:], PIVOT_TIMES):

@@ -1,13 +1,13 @@
-"""Makes tests/data/pivot_stability.txt: where a shaken pivot makes the hanging and the upright pendulum stable, by Floquet theory.
+"""Makes tests/data/pivot_stability.txt: where a pendulum with a shaken pivot is stable, hanging and upright, by Floquet theory.
 
-    python tools/make_pivot_stability.py > tests/data/pivot_stability.txt     (needs python-flint; a minute)
-    python tools/make_pivot_stability.py check                                (needs mpmath; minutes; says what agrees)
+    python tools/make_pivot_stability.py > tests/data/pivot_stability.txt     (needs python-flint; two minutes)
+    python tools/make_pivot_stability.py check                                (needs mpmath too; minutes; prints differences)
 
 A small departure x from the hanging state obeys x'' + beta x' + (alpha + P cos(Omega t)) x = 0, one from the upright state the
 same with -alpha for alpha (and -P for P, which is a shift of time by half a period). With x = e^(-beta t/2) y this is Mathieu's
-equation y'' + (a + P cos(Omega t)) y = 0, a = +-alpha - beta^2/4. Over a period T the multipliers of y have the product 1 and a sum,
-the trace, which tells all: x grows where |trace| > 2 cosh(beta T/2). The potential is even about t = 0 and T/2, so that the
-trace follows from the even and the odd solution at T/2, and these from their power series, which converge everywhere.
+equation y'' + (a + P cos(Omega t)) y = 0, a = +-alpha - beta^2/4. Over a period T the two multipliers of y have the product 1,
+and their sum is the trace of the map over T: x grows where |trace| > 2 cosh(beta T/2). cos(Omega t) is even about t = 0 and
+t = T/2, so that the trace follows from the even and the odd solution at T/2. These are power series that converge everywhere.
 The check integrates the equation of x over a whole period instead, by mpmath's Taylor method.
 """
 
@@ -55,7 +55,7 @@ def exponent(alpha, beta, pivot, frequency) -> arb:
 
 
 def root(f, low, high) -> arb:
-    """The zero of f between two arguments at which its signs differ."""
+    """The zero of f between two arguments at which its signs differ, by bisection."""
     low, high = arb(low), arb(high)
     is_positive = f(low) > 0
     if is_positive == (f(high) > 0):
@@ -76,16 +76,20 @@ def upright_limits(alpha, beta, frequency):
 
 def tongue(alpha, beta, pivot, middle):
     """The frequencies between which the hanging state is unstable, on either side of one at which it is."""
-    f = lambda frequency: excess(alpha, beta, pivot, frequency, -1)
+
+    def f(frequency):
+        return excess(alpha, beta, pivot, frequency, -1)
+
     return root(f, 0.8 * middle, middle), root(f, middle, 1.25 * middle)
 
 
 def threshold(alpha, beta):
-    """The smallest amplitude of the tongue near 2 sqrt(alpha), and its frequency: where both boundaries meet."""
+    """The smallest amplitude of the tongue near 2 sqrt(alpha), and its frequency, by golden section."""
+
     def boundary(frequency):
         return root(lambda p: excess(alpha, beta, p, frequency, -1), 0, 8 * beta)
 
-    low, high = arb(1.9), arb(2.1)  # times sqrt(alpha); a golden section, as far as a parabola's bottom lets it
+    low, high = arb(1.9), arb(2.1)  # times sqrt(alpha)
     ratio = (arb(5).sqrt() - 1) / 2
     root_alpha = arb(alpha).sqrt()
     while high - low > 1e-16:
@@ -98,7 +102,8 @@ def threshold(alpha, beta):
 UPRIGHT = [(1.0, beta, frequency) for beta in (0.0, 0.05) for frequency in (10.0, 20.0, 40.0, 80.0)] + [(9.81, 0.1, 60.0)]
 TONGUES = [(1.0, beta, pivot) for beta in (0.0, 0.05) for pivot in (0.2, 0.5)] + [(4.0, 0.1, 1.5)]
 THRESHOLDS = [(1.0, 0.05)]
-HANGING = [(1.0, beta, pivot, frequency) for beta in (0.0, 0.05) for pivot in (0.2, 0.5) for frequency in (1.5, 1.99, 2.0, 2.03, 2.5)]
+FREQUENCIES = (1.5, 1.99, 2.0, 2.03, 2.5)
+HANGING = [(1.0, beta, pivot, frequency) for beta in (0.0, 0.05) for pivot in (0.2, 0.5) for frequency in FREQUENCIES]
 HANGING += [(1.0, 0.05, 1.0, 1.0), (1.0, 0.0, -3.0, 2.0), (4.0, 0.2, 5.0, 4.0)]
 TOP = [(1.0, 0.0, 20.0, 20.0), (1.0, 0.05, 28.0, 20.0), (1.0, 0.0, 30.0, 20.0), (1.0, 0.05, 200.0, 20.0)]
 
@@ -106,9 +111,10 @@ TOP = [(1.0, 0.0, 20.0, 20.0), (1.0, 0.05, 28.0, 20.0), (1.0, 0.0, 30.0, 20.0), 
 def table():
     print("# Made by tools/make_pivot_stability.py, with the command that stands there; do not edit.")
     print("# upright alpha beta frequency | lowest and highest pivot_amplitude at which the upright state is stable")
-    print("# tongue alpha beta pivot_amplitude | lowest and highest frequency near 2 sqrt(alpha) at which the hanging state is unstable")
-    print("# threshold alpha beta | lowest pivot_amplitude of that tongue, to 16 digits, and its frequency, to 8")
-    print("# hanging, top: alpha beta pivot_amplitude frequency | largest Floquet exponent at rest there     pairs: nearest double and rest")
+    print("# tongue alpha beta pivot_amplitude | frequencies near 2 sqrt(alpha) between which the hanging state is unstable")
+    print("# threshold alpha beta | lowest pivot_amplitude of that tongue, and its frequency to 16 digits")
+    print("# hanging, top: alpha beta pivot_amplitude frequency | largest Floquet exponent at rest there")
+    print("#     pairs: nearest double and rest")
     for problem in UPRIGHT:
         print("upright", *map(text, problem), *map(pair, upright_limits(*problem)))
     for problem in TONGUES:
@@ -156,7 +162,8 @@ def check():
     for sign, name, problems in ((1, "hanging", HANGING), (-1, "top", TOP)):
         for problem in problems:
             largest, period = multiplier(sign * problem[0], *problem[1:])
-            report(name, problem, mp.log(largest) / period - mpf(exponent(sign * problem[0], *problem[1:]).mid().str(35, radius=False)))
+            own = exponent(sign * problem[0], *problem[1:]).mid().str(35, radius=False)
+            report(name, problem, mp.log(largest) / period - mpf(own))
 
 
 if __name__ == "__main__":

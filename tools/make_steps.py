@@ -123,7 +123,9 @@ SHAKEN = [
 
 
 def pivot():
-    print("# METHOD alpha beta torque drive_amplitude pivot_amplitude drive_frequency drive_phase theta omega t h | theta omega")
+    print(
+        "# METHOD alpha beta torque drive_amplitude pivot_amplitude drive_frequency drive_phase theta omega t h | theta omega"
+    )
     print("#     after one step from t to t + h, theta unwrapped; pairs: nearest double and rest")
     for problem in SHAKEN:
         *parameters, x, w, t, h = map(arb, problem)

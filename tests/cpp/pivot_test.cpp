@@ -295,6 +295,32 @@ TEST(ShakenPivot, AddsToTheStiffnessThatStepsHaveToFollow) {
     EXPECT_EQ(check(p, Strobe{.steps_per_period = fewest - 1}).reason, Refusal::Reason::unstable);
 }
 
+TEST(ShakenPivot, LocksARotationToItsFrequency) {
+    const Pendulum p{.beta = 0.1, .pivot_amplitude = 2, .drive_frequency = 2.5, .drive_phase = 0.75};
+    for (Method method : {Method::rk4, Method::taylor}) {
+        constexpr std::size_t periods = 3;
+        const Ensemble ensemble{.size = 1,
+                                .omega = 3.0,
+                                .beta = p.beta,
+                                .pivot_amplitude = p.pivot_amplitude,
+                                .drive_frequency = p.drive_frequency,
+                                .drive_phase = p.drive_phase};
+        const Strobe strobe{.transient = 400, .periods = periods, .method = method};
+        double velocity = 0, theta[periods], omega[periods], turns[periods];
+        ASSERT_TRUE(measure(Measure::mean_velocity, ensemble, strobe, {{&velocity, 1}}).is_done());
+        // What the transient has left, e^(-400 beta T/2), is far below rounding.
+        EXPECT_NEAR(velocity, p.drive_frequency, 1e-12);
+        ASSERT_TRUE(measure(Measure::section, ensemble, strobe, {theta, omega, turns}).is_done());
+        // The state at a strobe, where the phase is 0, is that of the trajectory. rk4 errs by some (2 pi/1000)^4/120, 1e-11.
+        const double period = 2 * pi / p.drive_frequency, start = (2 * pi - p.drive_phase) / p.drive_frequency;
+        auto run = make_taylor(p, {0, 3});
+        const auto s = solved(run, start + 400 * period);
+        EXPECT_NEAR(theta[0], s.theta, 1e-9);
+        EXPECT_NEAR(omega[0], s.omega, 1e-9);
+        EXPECT_EQ(turns[1] - turns[0], 1);
+    }
+}
+
 /// Columns of members at rest, and their exponents.
 struct Resting {
     std::vector<double> theta, alpha, beta, pivot, frequency;

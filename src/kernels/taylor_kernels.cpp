@@ -30,7 +30,14 @@ void next_step(const TaylorPendulum<T>& p, TaylorReach reach, const Mask<T>& goe
     step.t_lo = select<T>(goes_on, next.t_lo, step.t_lo);
     Series<T> C;
     expand(p, reach, step, C);
-    if constexpr (has_tangent) expand_tangent(p, reach.order, step.unit, C, tangent);
+    if constexpr (has_tangent) {
+        expand_tangent(p, reach.order, step.unit, C, tangent);
+        // Where the motion hardly moves, as near the top, it alone would allow steps too long for the displacement.
+        if (const auto is_shaken = p.parameters.pivot_amplitude != 0.0; any<T>(is_shaken)) {
+            const T longest = taylor_length(reach, tangent.u[0], tangent.u) * step.unit;
+            step.length = select<T>(is_shaken & (longest < step.length), longest, step.length);
+        }
+    }
 }
 
 /// Takes the pack at i to its target times by at most so many steps, and then puts its state there into the chunk. False when

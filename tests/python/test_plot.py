@@ -10,7 +10,7 @@ import pytest
 matplotlib = pytest.importorskip("matplotlib")
 matplotlib.use("agg")
 from matplotlib import pyplot  # noqa: E402, behind the choice of a backend
-from pendula.plot._breaks import broken  # noqa: E402
+from pendula.plot._style import broken  # noqa: E402
 
 PI_TICKS = ["−π", "−π/2", "0", "π/2", "π"]
 
@@ -221,7 +221,7 @@ def test_what_cannot_be_animated_is_refused(start, speed):
 def test_colours_differ_in_grey():
     """So that they can be told apart in print: by a tenth of the way from black to white, or by their marks."""
     from matplotlib.colors import to_rgb
-    from pendula.plot._axes import BLUE, GREY, VERMILION
+    from pendula.plot._style import BLUE, GREY, VERMILION
 
     greys = [np.dot(to_rgb(colour), [0.299, 0.587, 0.114]) for colour in (BLUE, VERMILION, GREY)]
     assert abs(greys[1] - greys[0]) > 0.1

@@ -211,10 +211,16 @@ def test_an_animation_has_a_frame_a_row_with_the_bob_where_the_pendulum_is(tmp_p
 
 
 @pytest.mark.parametrize(
-    ("start", "speed"), [({"theta0": [1.0, 2.0]}, 1), ({"theta0": 1.0, "until": 0.1, "every": 1.0}, 1), ({"theta0": 1.0}, 0)]
+    ("start", "speed", "reason"),
+    [
+        ({"theta0": [1.0, 2.0]}, 1, "animate takes one pendulum"),
+        ({"theta0": 1.0, "until": 0.1, "every": 1.0}, 1, "animate takes one pendulum"),
+        ({"theta0": 1.0}, 0, "speed must be positive"),
+        ({"theta0": 1.0}, 1e-300, "a frame must not last longer"),
+    ],
 )
-def test_what_cannot_be_animated_is_refused(start, speed):
-    with pytest.raises(ValueError, match=r"animate takes one pendulum|speed must be positive"):
+def test_what_cannot_be_animated_is_refused(start, speed, reason):
+    with pytest.raises(ValueError, match=reason):
         pendula.plot.animate(pendula.solve(omega0=0.0, **start), speed=speed)
 
 
@@ -234,6 +240,13 @@ def test_without_matplotlib_the_message_names_the_extra():
         done.stderr.splitlines()[-1]
         == "ImportError: pendula.plot needs matplotlib; install it with: pip install 'pendula[plot]'"
     )
+
+
+def test_all_names_of_plot_leave_those_of_python_alone():
+    names = {}
+    exec("from pendula.plot import *", names)
+    assert {"animate", "bifurcation", "phase_portrait", "section", "time_series"} == names.keys() - {"__builtins__"}
+    assert pendula.plot.map is not map
 
 
 def test_importing_pendula_does_not_import_matplotlib():

@@ -10,7 +10,7 @@ import pytest
 matplotlib = pytest.importorskip("matplotlib")
 matplotlib.use("agg")
 from matplotlib import pyplot  # noqa: E402, behind the choice of a backend
-from pendula.plot._breaks import broken  # noqa: E402
+from pendula.plot._style import broken  # noqa: E402
 
 PI_TICKS = ["−π", "−π/2", "0", "π/2", "π"]
 
@@ -211,17 +211,23 @@ def test_an_animation_has_a_frame_a_row_with_the_bob_where_the_pendulum_is(tmp_p
 
 
 @pytest.mark.parametrize(
-    ("start", "speed"), [({"theta0": [1.0, 2.0]}, 1), ({"theta0": 1.0, "until": 0.1, "every": 1.0}, 1), ({"theta0": 1.0}, 0)]
+    ("start", "speed", "reason"),
+    [
+        ({"theta0": [1.0, 2.0]}, 1, "animate takes one pendulum"),
+        ({"theta0": 1.0, "until": 0.1, "every": 1.0}, 1, "animate takes one pendulum"),
+        ({"theta0": 1.0}, 0, "speed must be positive"),
+        ({"theta0": 1.0}, 1e-300, "a frame must not last longer"),
+    ],
 )
-def test_what_cannot_be_animated_is_refused(start, speed):
-    with pytest.raises(ValueError, match=r"animate takes one pendulum|speed must be positive"):
+def test_what_cannot_be_animated_is_refused(start, speed, reason):
+    with pytest.raises(ValueError, match=reason):
         pendula.plot.animate(pendula.solve(omega0=0.0, **start), speed=speed)
 
 
 def test_colours_differ_in_grey():
     """So that they can be told apart in print: by a tenth of the way from black to white, or by their marks."""
     from matplotlib.colors import to_rgb
-    from pendula.plot._axes import BLUE, GREY, VERMILION
+    from pendula.plot._style import BLUE, GREY, VERMILION
 
     greys = [np.dot(to_rgb(colour), [0.299, 0.587, 0.114]) for colour in (BLUE, VERMILION, GREY)]
     assert abs(greys[1] - greys[0]) > 0.1
@@ -234,6 +240,13 @@ def test_without_matplotlib_the_message_names_the_extra():
         done.stderr.splitlines()[-1]
         == "ImportError: pendula.plot needs matplotlib; install it with: pip install 'pendula[plot]'"
     )
+
+
+def test_all_names_of_plot_leave_those_of_python_alone():
+    names = {}
+    exec("from pendula.plot import *", names)
+    assert {"animate", "bifurcation", "phase_portrait", "section", "time_series"} == names.keys() - {"__builtins__"}
+    assert pendula.plot.map is not map
 
 
 def test_importing_pendula_does_not_import_matplotlib():

@@ -26,10 +26,14 @@ struct Exact {
     double angle_den[4] = {};  ///< of B
     double speed_num[4] = {};  ///< of C [s^-1]
     double speed_den[4] = {};  ///< of D
+    double latest = 0;         ///< see `latest_time`
 };
 
 /// Prepares the closed form. Same domain as `analyze`; NaN throughout outside it.
 Exact make_exact(double alpha, State initial) noexcept;
+
+/// The largest |t| [s] at which `at` and `sinusoid` have an answer.
+double latest_time(const Exact& solution) noexcept;
 
 /// The state at time t [s], any finite t of either sign; |t|/tau up to 2^52 has a meaning.
 /// theta within 1e-14 rad (mod 2 pi) and omega within 1e-14 of its maximum for |t| <= 30 tau, 1e-13 to 1e6 tau.

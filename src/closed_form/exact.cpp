@@ -11,6 +11,7 @@ namespace pendula {
 
 using namespace arithmetic;
 using Number = EnergyBalance::Number;
+using kernels::ordinary_periods;
 
 namespace {
 
@@ -71,6 +72,18 @@ void set_rate(Exact& e, Number rate, double unit) noexcept {
     e.rate_lo = rate.lo * unit;
 }
 
+/// The rate's relative error is at most 2^-103 (1 + x) with x = alpha cos^2(theta/2)/(|gap| 2K), as measured against ball
+/// arithmetic: near the separatrix the gap is a difference of nearly equal numbers. The rounding of rate t included, the phase is
+/// off by 2^-102 (1 + x) t/tau periods at most. The latest time is where that is 2^-41, but at least `ordinary_periods`, and at
+/// most 2^52 periods: a double counts no more half periods.
+void set_latest(Exact& e, const EnergyBalance& b) noexcept {
+    const double cosine = b.cosine.hi;
+    // 2K is sqrt(alpha) tau/2 for an oscillation, and more than that for a rotation.
+    const double x = 2 * b.frequency.hi * b.root_alpha.hi * (cosine * cosine / abs(b.gap.hi));
+    const double periods = 0x1p61 / (1 + x);
+    e.latest = e.analysis.tau * (periods > 0x1p52 ? 0x1p52 : periods > ordinary_periods ? periods : ordinary_periods);
+}
+
 void set_separatrix(Exact& e, const EnergyBalance& b) noexcept {
     const double sense = e.initial.omega < 0 ? -1 : 1;
     const bool is_at_rest = e.initial.omega == 0;
@@ -80,6 +93,7 @@ void set_separatrix(Exact& e, const EnergyBalance& b) noexcept {
         e.turns = round_even((e.initial.theta + pi) * inverse_two_pi_dd[0]);
     }
     e.stretch = 1;
+    e.latest = 0x1.fffffffffffffp1023;
     set_rate(e, is_at_rest ? Number{} : scaled(b.root_alpha, sense), b.unit);
     e.angle_num[0] = e.angle_den[0] = e.speed_den[0] = 1;
     e.speed_num[0] = is_at_rest ? 0 : 2 * sense * b.root_alpha.hi * b.unit;
@@ -105,6 +119,7 @@ double initial_phase(double s, double c, double dn_squared, double complement) n
 void set_oscillation(Exact& e, const EnergyBalance& b) noexcept {
     const double complement = sqrt(b.gap / Number{b.alpha, 0}).hi;
     set_rate(e, scaled(b.frequency, 2.0), b.unit);
+    set_latest(e, b);
     set_cubics(e, b.k.hi, complement, 2 * (b.k * b.root_alpha).hi * b.unit);
     if (b.k.hi == 0) return;
     // The angle's own half turn has its cosine >= 0; the angle as given may lie in the other half.
@@ -121,6 +136,7 @@ void set_rotation(Exact& e, const EnergyBalance& b) noexcept {
     const double dn = (b.half_omega / sqrt(b.rise)).hi;
     const double side = b.cosine.hi < 0 ? -1 : 1;
     set_rate(e, scaled(b.frequency, sense), b.unit);
+    set_latest(e, b);
     set_cubics(e, k, complement, 2 * sense * sqrt(b.rise).hi * b.unit);
     e.phase = 0.5 * initial_phase(side * b.sine.hi, abs(b.cosine.hi), dn * dn, complement);
 }
@@ -132,7 +148,7 @@ Exact make_exact(double alpha, State initial) noexcept {
     e.initial = initial;
     if (!is_legal(alpha, initial)) {
         e.analysis = analyze(alpha, initial);
-        e.phase = e.rate_hi = e.turns = e.speed_num[0] = __builtin_nan("");
+        e.phase = e.rate_hi = e.turns = e.speed_num[0] = e.latest = __builtin_nan("");
         return e;
     }
     const auto b = balance_energy(alpha, initial);
@@ -143,6 +159,8 @@ Exact make_exact(double alpha, State initial) noexcept {
     if (e.analysis.regime == Regime::rotation) set_rotation(e, b);
     return e;
 }
+
+double latest_time(const Exact& solution) noexcept { return solution.latest; }
 
 Sample at(const Exact& solution, double t) noexcept {
     const auto s = kernels::closed_form(solution, t);
@@ -157,7 +175,7 @@ double sinusoid(const Exact& e, double t) noexcept {
     if (e.analysis.regime != Regime::oscillation) return __builtin_nan("");
     const double amplitude = e.analysis.theta_max;
     if (amplitude == 0) return 0;
-    const auto p = kernels::phase_at(t, kernels::to_rate(Number{e.rate_hi, e.rate_lo}), 0.0);  // half periods
+    const auto p = kernels::late_phase(e, 0.0, t);
     const double start = pendula::phase(wrap(e.initial.theta) / amplitude, e.initial.omega);
     return amplitude * kernels::alternate(sin(pi * p.fraction + start), p.whole);
 }

@@ -38,10 +38,13 @@ struct Argument {
     T x;
 };
 
-/// Past 100, on the separatrix only, the angle is pi to the last bit and the velocity below 1e-43; the powers stay finite.
+/// Beyond this argument of sinh and cosh, which only the separatrix reaches, theta is the last double below pi.
+inline constexpr double far_argument = 100;
+
+/// An argument beyond `far_argument` is taken as that one, so that sinh stays finite.
 template <class T>
 inline Argument<T> hyperbolic_argument(T zeta) {
-    const T e = exp(select(abs(zeta) > 100.0, copy_sign(splat<T>(100.0), zeta), zeta));
+    const T e = exp(select(abs(zeta) > far_argument, copy_sign(splat<T>(far_argument), zeta), zeta));
     const T inverse = 1.0 / e;
     const T s = 0.5 * (e - inverse);
     return {s, 0.5 * (e + inverse), -(s * s)};
@@ -61,10 +64,46 @@ struct HalfTangent {
     T omega;
 };
 
+/// Up to so many tau `phase_at` is right to 2^-58, and no latest time is earlier.
+inline constexpr double ordinary_periods = 0x1p20;
+
+/// The times that `ordinary_phase` does not serve.
+template <class T>
+inline Mask<T> is_late(const Exact& e, T t) {
+    return abs(t) > ordinary_periods * e.analysis.tau;
+}
+
+/// start + rate t of an oscillation or a rotation.
+template <class T>
+inline Phase<T> ordinary_phase(const Exact& e, T start, T t) {
+    return phase_at(t, to_rate<T>({splat<T>(e.rate_hi), splat<T>(e.rate_lo)}), start);
+}
+
+/// The same at any time; NaN beyond the latest. Not inlined, so that it takes no registers from ordinary times.
+template <class T>
+[[gnu::noinline]] Phase<T> late_phase(const Exact& e, const T& start, const T& t) {
+    const auto ordinary = ordinary_phase(e, start, t);
+    const auto late = late_phase_at<T>(t, {splat<T>(e.rate_hi), splat<T>(e.rate_lo)}, start);
+    // Turns count all whole numbers; the sign of an oscillation asks only for even or odd.
+    const T whole = e.analysis.regime == Regime::rotation ? late.fours + late.whole : late.whole;
+    const T fraction = select(abs(t) <= e.latest, late.fraction, splat<T>(__builtin_nan("")));
+    return {select(is_late(e, t), whole, ordinary.whole), select(is_late(e, t), fraction, ordinary.fraction)};
+}
+
+/// The argument of sinh and cosh on the separatrix; NaN at infinite times.
+template <class T>
+inline T separatrix_argument(const Exact& e, T t) {
+    const T leading = t * e.rate_hi;
+    // From 2^20 on, where t rate_lo changes nothing, it may overflow.
+    const T zeta = e.phase + select(abs(leading) < 0x1p20, leading + t * e.rate_lo, leading);
+    return select(abs(t) <= e.latest, zeta, splat<T>(__builtin_nan("")));
+}
+
 template <class T>
 inline Phase<T> phase_of(const Exact& e, T t) {
-    if (e.analysis.regime == Regime::separatrix) return {T{}, e.phase + (t * e.rate_hi + t * e.rate_lo)};
-    return phase_at(t, to_rate<T>({splat<T>(e.rate_hi), splat<T>(e.rate_lo)}), splat<T>(e.phase));
+    if (e.analysis.regime == Regime::separatrix) return {T{}, separatrix_argument(e, t)};
+    const T start = splat<T>(e.phase);
+    return any<T>(is_late(e, t)) ? late_phase(e, start, t) : ordinary_phase(e, start, t);
 }
 
 template <class T>
@@ -108,10 +147,24 @@ inline Swing<T> state_of(const Exact& e, T whole, const HalfTangent<T>& h) {
     return swinging<T>(alternate(theta, whole), alternate(h.omega, whole), splat<T>(e.turns));
 }
 
+/// Beyond `far_argument` 1/cosh(zeta) is 2 exp(-|zeta|) to the last bit. The root of the exponential is a normal number wherever
+/// omega is not 0. By itself and lane by lane, so that it takes no room from what comes before.
+template <class T>
+[[gnu::noinline]] void set_omega_of_tail(const Exact& e, const T& zeta, T& omega) {
+    for (int i = 0; i < lanes<T>; ++i) {
+        if (!(abs(lane(zeta, i)) > far_argument)) continue;
+        const double root = exp(-0.5 * abs(lane(zeta, i)));
+        lane(omega, i) = (2 * e.speed_num[0] * root) * root;
+    }
+}
+
 template <class T>
 inline Swing<T> closed_form(const Exact& e, T t) {
     const auto p = phase_of(e, t);
-    return state_of(e, p.whole, half_tangent(e, p.fraction));
+    auto half = half_tangent(e, p.fraction);
+    if (e.analysis.regime == Regime::separatrix && any<T>(abs(p.fraction) > far_argument))
+        set_omega_of_tail(e, p.fraction, half.omega);
+    return state_of(e, p.whole, half);
 }
 
 }  // namespace pendula::kernels::inline PENDULA_ISA

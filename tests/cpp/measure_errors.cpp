@@ -52,6 +52,25 @@ void print_closed_form() {
     all.print();
 }
 
+void print_late() {
+    for (const char* group : {"clear", "near", "separatrix"}) {
+        Largest theta, omega, tail;
+        int cases = 0;
+        for (const auto& c : closed_form("late.txt")) {
+            if (c.group != group) continue;
+            ++cases;
+            const auto solution = pendula::exact(c.alpha, c.initial);
+            for (const auto& i : c.instants) {
+                const auto e = error_at(c, solution, i);
+                theta(e.theta);
+                omega(e.omega);
+                if (c.k == 0) tail(error(pendula::at(solution, i.t).omega, i.omega) / stated_tail_error(c, i));
+            }
+        }
+        std::printf("| %s | %d | %.1e | %.1e | %.2g |\n", group, cases, theta.value, omega.value, tail.value);
+    }
+}
+
 void print_rounding() {
     for (const auto& r : stepped()) {
         if (!r.is_long()) continue;
@@ -70,6 +89,8 @@ int main() {
     std::puts("\n| group | cases | wrong k | θM [ulp] | τ [ulp] | θ to 30 τ | ω to 30 τ | θ to 10⁶ τ | ω to 10⁶ τ |");
     std::puts("|---|---|---|---|---|---|---|---|---|");
     print_closed_form();
+    std::puts("\n| late | cases | θ | ω | tail of ω, of what is stated |\n|---|---|---|---|---|");
+    print_late();
     std::puts("\n| RK4, 10⁶ steps | pendula | plain formulas |\n|---|---|---|");
     print_rounding();
 }

@@ -27,7 +27,9 @@ void put_member(Chunk& c, int i, const Pendulum& p, State initial) noexcept {
     c.resting_turns[i] = angle.turns;
     kernels::store<double, kernels::Motion>(c.motion, i, {angle.theta, initial.omega, angle.turns, 0, 0});
     kernels::store<double, kernels::Tangent>(c.tangent, i, {1, 0});
-    kernels::store<double, kernels::Parameters>(c.parameters, i, parameters_of(p));
+    auto parameters = parameters_of(p);
+    if (!is_driven(p)) parameters.drive_frequency = 0;  // times a time it may leave the doubles, and a neighbour may need its cosine
+    kernels::store<double, kernels::Parameters>(c.parameters, i, parameters);
 }
 
 }  // namespace

@@ -88,14 +88,14 @@ double error_near_separatrix(Evaluate evaluate) {
 void samples_pendula(benchmark::State& state, double omega) {
     const auto t = times(omega);
     std::vector<double> theta(count), speed(count), turns(count);
-    const auto orbit = exact(1, {0, omega});
+    const auto orbit = make_exact(1, {0, omega});
     for (auto _ : state) {
         at(orbit, count, t.data(), theta.data(), speed.data(), turns.data());
         benchmark::ClobberMemory();
     }
     state.SetItemsProcessed(state.iterations() * count);
     state.counters["error"] = error_near_separatrix([](const reference::Case& c, double time) {
-        const auto s = at(exact(c.alpha, {0, std::fabs(c.initial.omega)}), time);
+        const auto s = at(make_exact(c.alpha, {0, std::fabs(c.initial.omega)}), time);
         return State{s.theta, s.omega};
     });
 }

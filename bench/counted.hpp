@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "arithmetic/pack.hpp"
+#include "kernels/chunk.hpp"
+#include "pendula/parameters.hpp"
 
 namespace pendula::bench {
 
@@ -48,6 +50,18 @@ struct Counted {
         return result;
     }
 };
+
+inline kernels::Parameters<Counted> counted_parameters(const Pendulum& p) {
+    return {p.alpha, p.beta, p.torque, p.drive_amplitude, p.pivot_amplitude, p.drive_frequency, p.drive_phase};
+}
+
+/// Pendulums released at rest from these angles.
+inline Ensemble ensemble_of(const Pendulum& p, std::span<const double> theta) {
+    Ensemble e{.size = theta.size(), .theta = theta};
+    for (const auto& parameter : parameters)
+        if (parameter.value) e.*parameter.column = p.*parameter.value;
+    return e;
+}
 
 /// The traced operations that results go back to. Numbers are told apart by their size, which choices and signs leave as it is.
 inline Operations operations_behind(std::initializer_list<Counted> results) {

@@ -78,8 +78,7 @@ void formulas(benchmark::State& state, const Run& run) {
 /// What a step needs at least: its share of a block's multiplications and additions.
 void count_operations(benchmark::State& state, const Run& run) {
     using bench::Counted;
-    const Pendulum& p = run.pendulum;
-    const auto k = kernels::rk4_constants<Counted>(p.alpha, p.beta, p.torque, p.drive_amplitude, p.drive_frequency, p.drive_phase, run.h);
+    const auto k = kernels::rk4_constants(bench::counted_parameters(run.pendulum), Counted(run.h));
     kernels::Motion<Counted> x{released, 0, 0, 0, 0};
     kernels::Tangent<Counted> none{};
     Counted::trace.clear();
@@ -91,11 +90,11 @@ void count_operations(benchmark::State& state, const Run& run) {
 
 void one(benchmark::State& state, const Run& run) {
     const double span = steps * run.h;
-    const Problem problem{.pendulum = run.pendulum, .initial = {released, 0}, .schedule = {span, 2, steps, run.h}};
+    const Problem problem{.pendulum = run.pendulum, .initial = {released, 0}, .schedule = {.every = span, .rows = 2, .steps_per_row = steps}};
     Sample rows[2];
     for (auto _ : state) {
         auto trajectory = begin(problem);
-        advance(trajectory, 2, rows, steps);
+        if (advance(trajectory, rows, steps) != 2) state.SkipWithError("rows are missing");
         benchmark::DoNotOptimize(rows);
     }
     state.SetItemsProcessed(state.iterations() * steps);
@@ -105,13 +104,11 @@ void one(benchmark::State& state, const Run& run) {
 void ensemble(benchmark::State& state, const Run& run, std::size_t n, int threads) {
     std::vector<double> theta(n), end(n), speed(n), turns(n);
     for (std::size_t i = 0; i < n; ++i) theta[i] = angle(i % members);
-    const auto all = [](const double& x) { return std::span(&x, 1); };
-    const Pendulum& p = run.pendulum;
-    const double still = 0, span = steps * run.h;
-    const Ensemble e{n, theta, all(still), all(p.alpha), all(p.beta), all(p.torque), all(p.drive_amplitude), all(p.drive_frequency), all(p.drive_phase)};
-    const EnsembleTimes times{.first = all(span), .every = all(span), .rows = 1, .steps_per_row = steps};
+    const Ensemble e = bench::ensemble_of(run.pendulum, theta);
+    const EnsembleTimes times{.first = steps * run.h, .rows = 1, .steps_to_first = steps};
     for (auto _ : state) {
-        solve(e, Method::rk4, 0, times, {.threads = threads}, {end.data(), speed.data(), turns.data()});
+        const auto outcome = solve(e, Method::rk4, 1e-15, times, {end, speed, turns}, {.threads = threads});
+        if (!outcome.is_done()) state.SkipWithError("not solved");
         benchmark::ClobberMemory();
     }
     state.SetItemsProcessed(state.iterations() * steps * static_cast<std::int64_t>(n));

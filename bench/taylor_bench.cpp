@@ -2,6 +2,7 @@
 // unit of time of one trajectory.
 #include <benchmark/benchmark.h>
 
+#include <bit>
 #include <string>
 #include <vector>
 
@@ -28,13 +29,8 @@ constexpr Run runs[] = {{"undamped", {}},
 /// What a unit of time needs at least: a step's multiplications and additions over its length.
 void count_operations(benchmark::State& state, const Run& run) {
     using bench::Counted;
-    const Pendulum& p = run.pendulum;
-    const auto d = kernels::taylor_pendulum(p.alpha, p.beta, p.torque, p.drive_amplitude, p.drive_frequency, p.drive_phase);
-    const kernels::TaylorPendulum<Counted> k{d.alpha,
-                                             d.beta,
-                                             d.torque,
-                                             d.drive_amplitude,
-                                             d.drive_frequency,
+    const auto d = kernels::taylor_pendulum(std::bit_cast<kernels::Parameters<double>>(run.pendulum));
+    const kernels::TaylorPendulum<Counted> k{bench::counted_parameters(run.pendulum),
                                              {d.turn_rate.hi, d.turn_rate.lo},
                                              {d.turn_start.hi, d.turn_start.lo},
                                              d.rate};
@@ -43,13 +39,13 @@ void count_operations(benchmark::State& state, const Run& run) {
     kernels::Series<Counted> cosine{};
     step.start.theta = released;
     step.start.omega = 0.3;
-    step.t.hi = 7.7;
+    step.t = 7.7;
     Counted::trace.clear();
     expand(k, reach, step, cosine);
     go_to_end(step);
     const auto done = bench::operations_behind({step.start.theta, step.start.omega, step.start.theta_lo, step.start.omega_lo});
     // The mean length, of a whole run.
-    auto trajectory = taylor(p, {released, 0}, tolerance);
+    auto trajectory = make_taylor(run.pendulum, {released, 0}, tolerance);
     double steps = 0;
     for (; !reaches(trajectory, span); ++steps) pendula::step(trajectory);
     state.counters["multiplications"] = done.multiplications * steps / span;
@@ -62,7 +58,7 @@ double largest_error() {
     Taylor run;
     for (const auto& r : reference::table("driven.txt")) {
         if (r.words[0] == "problem") {
-            run = taylor({r[0], r[1], r[2], r[3], r[4], r[5]}, {r[6], r[7]}, tolerance);
+            run = make_taylor({r[0], r[1], r[2], r[3], 0, r[4], r[5]}, {r[6], r[7]}, tolerance);
             continue;
         }
         while (!reaches(run, r[0])) step(run);
@@ -75,7 +71,7 @@ double largest_error() {
 
 void one(benchmark::State& state, const Run& run) {
     for (auto _ : state) {
-        auto trajectory = taylor(run.pendulum, {released, 0}, tolerance);
+        auto trajectory = make_taylor(run.pendulum, {released, 0}, tolerance);
         while (!reaches(trajectory, span)) step(trajectory);
         benchmark::DoNotOptimize(at(trajectory, span));
     }
@@ -86,21 +82,11 @@ void one(benchmark::State& state, const Run& run) {
 void ensemble(benchmark::State& state, const Run& run) {
     std::vector<double> theta(members), end(members), speed(members), turns(members);
     for (std::size_t i = 0; i < members; ++i) theta[i] = released + static_cast<double>(i) / members;
-    const auto all = [](const double& x) { return std::span(&x, 1); };
-    const Pendulum& p = run.pendulum;
-    const double still = 0;
-    const Ensemble e{members,
-                     theta,
-                     all(still),
-                     all(p.alpha),
-                     all(p.beta),
-                     all(p.torque),
-                     all(p.drive_amplitude),
-                     all(p.drive_frequency),
-                     all(p.drive_phase)};
-    const EnsembleTimes times{.first = all(span), .every = all(span), .rows = 1};
+    const Ensemble e = bench::ensemble_of(run.pendulum, theta);
+    const EnsembleTimes times{.first = span, .rows = 1};
     for (auto _ : state) {
-        solve(e, Method::taylor, tolerance, times, {.threads = 1}, {end.data(), speed.data(), turns.data()});
+        const auto outcome = solve(e, Method::taylor, tolerance, times, {end, speed, turns}, {.threads = 1});
+        if (!outcome.is_done()) state.SkipWithError("not solved");
         benchmark::ClobberMemory();
     }
     state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(span) * static_cast<std::int64_t>(members));

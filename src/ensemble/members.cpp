@@ -23,10 +23,13 @@ void put_member(Chunk& c, int i, const Pendulum& p, State initial) noexcept {
         const Sample rest = at(make_exact(p.alpha, initial), 0);
         angle = {rest.theta, rest.turns};
     }
+    c.resting_theta[i] = angle.theta;
     c.resting_turns[i] = angle.turns;
     kernels::store<double, kernels::Motion>(c.motion, i, {angle.theta, initial.omega, angle.turns, 0, 0});
     kernels::store<double, kernels::Tangent>(c.tangent, i, {1, 0});
-    kernels::store<double, kernels::Parameters>(c.parameters, i, parameters_of(p));
+    auto parameters = parameters_of(p);
+    if (!is_driven(p)) parameters.drive_frequency = 0;  // times a time it may leave the doubles, and a neighbour may need its cosine
+    kernels::store<double, kernels::Parameters>(c.parameters, i, parameters);
 }
 
 }  // namespace
@@ -47,7 +50,7 @@ void load_members(Members& members, const Ensemble& ensemble, std::size_t first,
 
 void hold_resting(Chunk& c) noexcept {
     for (int i = 0; i < c.count; ++i)
-        if (c.is_resting[i]) kernels::store<double, kernels::Motion>(c.motion, i, {-pi, 0, c.resting_turns[i], 0, 0});
+        if (c.is_resting[i]) kernels::store<double, kernels::Motion>(c.motion, i, {c.resting_theta[i], 0, c.resting_turns[i], 0, 0});
 }
 
 void keep_member(Chunk& now, const Chunk& before, int i) noexcept {

@@ -65,7 +65,8 @@ struct alignas(64) Chunk {
     Tangent<Row> tangent;
     Parameters<Row> parameters;
     bool is_resting[chunk_size];  ///< at rest on top: see `rests_on_top`
-    Row resting_turns;            ///< of such a member, which stays at -pi
+    Row resting_theta;            ///< of such a member, within its rounding -pi
+    Row resting_turns;
 };
 
 /// A chunk on its way by Taylor's method: each member at a step of its own.

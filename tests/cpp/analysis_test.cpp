@@ -115,7 +115,8 @@ TEST(Series, AgreesWithTheMeanToItsEpsilon) {
         for (double epsilon : {1e-3, 1e-7, 1e-12}) {
             const double terms = series_terms(c.alpha, c.initial, epsilon);
             if (terms > 2e4) continue;
-            const auto a = analyze_by_series(c.alpha, c.initial, epsilon);
+            Analysis a;
+            ASSERT_TRUE(analyze_by_series(c.alpha, c.initial, epsilon, a).is_done());
             // n additions and three roundings a term.
             EXPECT_NEAR(a.tau, c.tau.hi, (epsilon + (terms * 4 + 8) * 1.2e-16) * c.tau.hi) << name(c);
         }
@@ -125,7 +126,11 @@ TEST(Series, AgreesWithTheMeanToItsEpsilon) {
 TEST(Series, RefusesMoreThanABillionTerms) {
     const State upright{3.14159265, 0};
     EXPECT_GT(series_terms(1, upright, 1e-7), series_terms_limit);
-    EXPECT_TRUE(std::isnan(analyze_by_series(1, upright, 1e-7).tau));
+    Analysis a;
+    const auto outcome = analyze_by_series(1, upright, 1e-7, a);
+    EXPECT_EQ(outcome.kind, Outcome::Kind::refused);
+    EXPECT_EQ(outcome.refusal.reason, Refusal::Reason::too_many_terms);
+    EXPECT_EQ(a.tau, 0);  // nothing was done
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // Lyapunov exponents: analytic values, identities, and errors that are what they say.
 #include <random>
 
-#include "flock.hpp"
+#include "ensemble/members.hpp"
 #include "flocks.hpp"
 #include "pendula/angle.hpp"
 
@@ -51,7 +51,7 @@ TEST(Lyapunov, SumOfBothIsMinusTheFriction) {
     // Liouville: the determinant of the tangent map shrinks like exp(-beta t).
     std::mt19937_64 random(1);
     std::uniform_real_distribution<double> uniform(0, 1);
-    Flock flock{{}, {}, {}, {}, {}, {}, {}, {}};
+    Flock flock{{}, {}, {}, {}, {}, {}, {}, {}, {}};
     for (int i = 0; i < kernels::chunk_size; ++i) {
         flock.theta.push_back(6 * uniform(random) - 3);
         flock.omega.push_back(4 * uniform(random) - 2);
@@ -59,25 +59,26 @@ TEST(Lyapunov, SumOfBothIsMinusTheFriction) {
         flock.beta.push_back(uniform(random));
         flock.torque.push_back(2 * uniform(random) - 1);
         flock.drive_amplitude.push_back(2 * uniform(random));
+        flock.pivot_amplitude.push_back(2 * uniform(random));
         flock.drive_frequency.push_back(0.5 + uniform(random));
         flock.drive_phase.push_back(6 * uniform(random));
     }
     const double time = 4;
-    const std::vector<double> start(kernels::chunk_size, 0.0), h(kernels::chunk_size, time / 4000);
-    kernels::Chunk one, other;
-    load(one, flock.ensemble(), 0);
-    load(other, flock.ensemble(), 0);
+    constexpr kernels::Row start = {};
+    kernels::Row h;
+    std::fill(std::begin(h), std::end(h), time / 4000);
+    Members one, other;
+    load_members(one, flock.ensemble(), 0);
+    load_members(other, flock.ensemble(), 0);
     for (int i = 0; i < kernels::chunk_size; ++i) {
-        other.tangent_theta[i] = 0;
-        other.tangent_omega[i] = 1;
+        other.chunk.tangent.theta[i] = 0;
+        other.chunk.tangent.omega[i] = 1;
     }
-    kernels::dispatch().rk4_tangent(one, start.data(), h.data(), 0, 4000);
-    kernels::dispatch().rk4_tangent(other, start.data(), h.data(), 0, 4000);
-    for (int i = 0; i < kernels::chunk_size; ++i) {
-        const double determinant =
-            one.tangent_theta[i] * other.tangent_omega[i] - one.tangent_omega[i] * other.tangent_theta[i];
-        EXPECT_NEAR(std::log(determinant) / time, -flock.beta[i], 1e-9) << i;
-    }
+    kernels::dispatch().rk4_tangent(one.chunk, start, h, 0, 4000);
+    kernels::dispatch().rk4_tangent(other.chunk, start, h, 0, 4000);
+    const auto &a = one.chunk.tangent, &b = other.chunk.tangent;
+    for (int i = 0; i < kernels::chunk_size; ++i)
+        EXPECT_NEAR(std::log(a.theta[i] * b.omega[i] - a.omega[i] * b.theta[i]) / time, -flock.beta[i], 1e-9) << i;
 }
 
 TEST(Lyapunov, AtRestOnTopIsThatOfTheSaddle) {

@@ -22,7 +22,7 @@ struct Group {
     Largest theta_max, tau, theta, omega, late_theta, late_omega;
 
     void add(const Case& c) {
-        const auto solution = pendula::exact(c.alpha, c.initial);
+        const auto solution = pendula::make_exact(c.alpha, c.initial);
         ++cases;
         wrong_regimes += static_cast<int>(solution.analysis.regime) != c.k;
         theta_max(ulps(solution.analysis.theta_max, c.theta_max));

@@ -27,7 +27,10 @@ struct Kernels {
 };
 
 /// The widest set that this processor has, or the one that the environment variable PENDULA_ISA names (baseline, avx2,
-/// avx512) where it is had. Decided once.
+/// avx512). Decided once.
 const Kernels& dispatch() noexcept;
+
+/// False where PENDULA_ISA is set, be it to nothing, and names no set that this processor has.
+bool is_choice_met() noexcept;
 
 }  // namespace pendula::kernels

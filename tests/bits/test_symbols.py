@@ -1,5 +1,5 @@
-"""What the linker sees of the core: nothing of libm, no copy of a function that could serve the wrong processor, and of a shared
-library the public names only."""
+"""What the linker sees of the core: nothing of libm, no function that could serve the wrong processor, and of a shared library
+the public names only."""
 
 from __future__ import annotations
 

@@ -39,7 +39,7 @@ def finished(
 
         def captured(stream: IO[bytes] | None) -> bytes | None:
             try:
-                return stream and rest(stream)
+                return rest(stream) if stream else None
             except AssertionError:
                 process.kill()
                 raise

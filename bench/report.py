@@ -34,8 +34,12 @@ def importable(names):
 
 def native_round(build, least, facts):
     """One pass over pendula_bench: nanoseconds per item, and what else its cases state."""
-    done = subprocess.run([build / "bench/pendula_bench", "--benchmark_format=json", f"--benchmark_min_time={least}"],
-                          check=True, capture_output=True, text=True)
+    done = subprocess.run(
+        [build / "bench/pendula_bench", "--benchmark_format=json", f"--benchmark_min_time={least}"],
+        check=True,
+        capture_output=True,
+        text=True,
+    )
     report = json.loads(done.stdout)
     facts["context"] = report["context"]
     for case in report["benchmarks"]:
@@ -68,10 +72,14 @@ def measure(build, rounds, least):
     for _, call, _ in cases:
         call()  # compiles
     whole = list(programs.cases(build))
-    best = {}
+    best: dict[str, float] = {}
     for number in range(rounds):
         print(f"round {number + 1} of {rounds}", flush=True)
-        for results in (native_round(build, least, facts), python_round(cases, least), program_round(whole, 10 if least else 1)):
+        for results in (
+            native_round(build, least, facts),
+            python_round(cases, least),
+            program_round(whole, 10 if least else 1),
+        ):
             for name, value in results:
                 best[name] = min(value, best.get(name, value))
     for module in modules:
@@ -82,21 +90,32 @@ def measure(build, rounds, least):
 
 def processor():
     info = Path("/proc/cpuinfo")
-    names = [line.split(":")[1].strip() for line in info.read_text().splitlines() if line.startswith("model name")] if info.exists() else []
+    names = (
+        [line.split(":")[1].strip() for line in info.read_text().splitlines() if line.startswith("model name")]
+        if info.exists()
+        else []
+    )
     return f"{len(names)} × {names[0]}" if names else platform.processor()
 
 
 def page(best, facts, rounds):
     context = facts["context"]
-    versions = {name: context[name] for name in ("pendula", "Compiler", "Boost", "GSL")} | {"Python": platform.python_version()} | facts["versions"]
+    versions = (
+        {name: context[name] for name in ("pendula", "Compiler", "Boost", "GSL")}
+        | {"Python": platform.python_version()}
+        | facts["versions"]
+    )
     lines = [
-        "# Benchmarks", "",
+        "# Benchmarks",
+        "",
         "Made by `make bench`; do not edit. Ratios are what matters: how many times longer the peer takes. "
         f"Least of {rounds} rounds, in each of which every case and every peer runs once; processor time, wall time for programs and threads. "
         "C++ peers are compiled with `-O3 -march=native`; pendula is not, and chooses its kernels at run time, here "
-        f"{context['kernels']}.", "",
+        f"{context['kernels']}.",
+        "",
         f"{processor()}, {platform.system()} {platform.machine()}, {datetime.date.today()}. "
-        + ", ".join(f"{name} {version}" for name, version in versions.items()) + ".",
+        + ", ".join(f"{name} {version}" for name, version in versions.items())
+        + ".",
     ]
     for table in TABLES:
         lines += ["", *ratio_table(table, best, facts)]

@@ -1,4 +1,4 @@
-#include "messages.hpp"
+#include "src/messages.hpp"
 
 #include <cstdlib>
 

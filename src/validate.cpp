@@ -5,8 +5,6 @@
 #include <stdexcept>
 #include <vector>
 
-#include "messages.hpp"
-
 namespace pendula {
 
 namespace {

@@ -218,7 +218,7 @@ def verify():
         t = 7.0 / max(math.sqrt(case[0]), abs(case[2]))
         theta, omega, n = solution.at(t)
         want = as_mp(theta) + 2 * mp.pi * n
-        got, speed = integrate(*map(mpf, case), mpf(t))
+        got, speed = integrate(*map(mpf, (*case, t)))
         size = max(abs(as_mp(solution.motion.theta_max)), mpf(0))
         error = max(
             abs(got - want) / (size or 1), abs(speed - as_mp(omega)) / (2 * mp.sqrt(case[0]) * size + abs(case[2]) or 1)

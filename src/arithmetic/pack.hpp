@@ -8,6 +8,8 @@
 
 #include <cstdint>
 
+#include "arithmetic/strict.hpp"
+
 #ifndef PENDULA_ISA
 #define PENDULA_ISA baseline
 #endif

@@ -347,7 +347,16 @@ extern "C" EXPORT(report) const char* report(int section) {
 #include <cstdio>
 #include <cstring>
 
+#include "pendula/version.hpp"
+
+// `golden --isa` prints the instruction set that runs.
 int main(int argc, char** argv) {
+    if (argc > 1 && std::strcmp(argv[1], "--isa") == 0) {
+        const char* const isa = instruction_set();
+        if (isa) return std::puts(isa) < 0;
+        std::fputs("PENDULA_ISA names no instruction set of this processor\n", stderr);
+        return 1;
+    }
     if (argc > 1) listener = [](double x) { std::printf("%a\n", x); };
     for (int i = 0; i < section_count; ++i)
         if (argc < 2)

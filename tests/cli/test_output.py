@@ -7,6 +7,7 @@ import subprocess
 
 import pytest
 from conftest import GOOD
+from processes import rest
 
 LONG_RUN = "0.01 0.01 1e9 1 r 0 r 1\n"
 
@@ -89,7 +90,7 @@ def read_a_little_and_close(start, **options):
     process = start(text=LONG_RUN.encode(), **options)
     process.stdout.read(1000)
     process.stdout.close()
-    return process.wait(timeout=20), process.stderr.read()
+    return process.wait(timeout=20), rest(process.stderr)
 
 
 def test_a_closed_pipe_ends_it_quietly(start):

@@ -30,8 +30,8 @@ struct Problem {
 };
 
 /// What is wrong with a problem: parameters, schedule, a method that cannot do what is asked (`exact` needs a conservative
-/// pendulum, `verlet` one without friction), or steps too long for friction: euler needs beta h <= 2 and rk4 beta h <= 2.78, or
-/// rounding grows without bound.
+/// pendulum and times up to `latest_time`, `verlet` one without friction), or steps too long for friction: euler needs
+/// beta h <= 2 and rk4 beta h <= 2.78, or rounding grows without bound.
 Refusal check(const Problem& problem) noexcept;
 
 /// All rows. Throws std::invalid_argument with what is wrong, and std::bad_alloc where memory does not hold them.

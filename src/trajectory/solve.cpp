@@ -100,6 +100,15 @@ Refusal check(const Schedule& s) noexcept {
     return check_count("steps_per_row", s.steps_per_row, 1);
 }
 
+/// Whether the closed form is carried to time t.
+Refusal check_latest(const Pendulum& p, State initial, double t) noexcept {
+    constexpr double surely = 0x1p20;  // periods: see `latest_time`
+    const double periods = t * (arithmetic::abs(initial.omega) + 2 * arithmetic::sqrt(p.alpha)) / (2 * pi);  // at most
+    if (periods <= surely) return {};
+    const double latest = latest_time(make_exact(p.alpha, initial));
+    return t <= latest ? Refusal{} : Refusal{.reason = Refusal::Reason::too_late, .name = "t", .value = t, .most = latest};
+}
+
 }  // namespace
 
 Refusal check(const Pendulum& p, Method method, double tolerance) noexcept {
@@ -122,6 +131,7 @@ Refusal check(const Problem& problem) noexcept {
     if (const auto refusal = check(problem.pendulum, problem.initial)) return refusal;
     if (const auto refusal = check(problem.pendulum, problem.method, problem.tolerance)) return refusal;
     if (const auto refusal = check(s)) return refusal;
+    if (problem.method == Method::exact) return check_latest(problem.pendulum, problem.initial, s.time_of(s.rows - 1));
     if (const auto refusal = check_stability(problem.pendulum, problem.method, s.first, s.steps_to_first, "steps_to_first"))
         return refusal;
     return check_stability(problem.pendulum, problem.method, s.rows > 1 ? s.every : 0, s.steps_per_row, "steps_per_row");

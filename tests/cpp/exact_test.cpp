@@ -49,7 +49,7 @@ template <class Visit>
 void for_each_late(const char* group, Visit visit) {
     for (const auto& c : closed_form("late.txt")) {
         if (c.group != group) continue;
-        const auto solution = exact(c.alpha, c.initial);
+        const auto solution = make_exact(c.alpha, c.initial);
         for (const auto& i : c.instants) visit(c, solution, i);
     }
 }
@@ -79,7 +79,7 @@ TEST(Exact, HasAnAnswerToItsLatestTimeAndNaNBeyond) {
     const double factors[] = {1, -1};
     for (const char* table : {"closed_form.txt", "late.txt"})
         for (const auto& c : closed_form(table)) {
-            const auto solution = exact(c.alpha, c.initial);
+            const auto solution = make_exact(c.alpha, c.initial);
             const double latest = latest_time(solution);
             if (c.k == 0) {
                 EXPECT_EQ(latest, std::numeric_limits<double>::max()) << name(c, latest);
@@ -194,7 +194,7 @@ TEST(Exact, StaysOnTopForEver) {
         EXPECT_EQ(at(rising, t).omega == 0, t > 800);
     }
     // Here t rate_lo, by itself, would overflow.
-    EXPECT_EQ(at(exact(0x1p1000, {0, 0x1p501}), 1e308).omega, 0);
+    EXPECT_EQ(at(make_exact(0x1p1000, {0, 0x1p501}), 1e308).omega, 0);
     for (double theta : {pi, -pi, 3 * pi})
         for (double t : {0.0, 1e3, -1e9}) {
             const Sample s = at(make_exact(1, {theta, 0}), t);

@@ -26,15 +26,13 @@ double read_epsilon(const Options& options) {
 }
 
 /// Says how many terms the series needs before they are summed.
-Analysis analyze_one(Analyzer& analyzer, const Pendulum& pendulum, State initial, const Source& source) {
+Analysis analyze_one(Analyzer& analyzer, const Pendulum& pendulum, State initial, const Source& source, Proceed proceed) {
     if (analyzer.epsilon == 0) return analyze(pendulum.alpha, initial);
     const double terms = series_terms(pendulum.alpha, initial, analyzer.epsilon);
     if (terms <= series_terms_limit)
         tell(source.place + say({"the series needs {0} terms", "la serie necesita {0} términos"}, {shown(terms)}));
     Analysis analysis;
-    ProgressLine line;
-    const auto outcome = analyze_by_series(pendulum.alpha, initial, analyzer.epsilon, analysis,
-                                           {.proceed = [&line](double fraction) { return show_and_go_on(line, fraction); }});
+    const auto outcome = analyze_by_series(pendulum.alpha, initial, analyzer.epsilon, analysis, {.proceed = proceed});
     if (outcome.kind == Outcome::Kind::stopped) {
         if (analyzer.writer.descriptor >= 0) flush(analyzer.writer);
         throw Failure{Status::interrupted, {}};
@@ -73,8 +71,13 @@ void analyze_sweep(Analyzer& analyzer, const Sweep& sweep) {
     require_each(sweep, [](const Pendulum& pendulum) { return check(pendulum); });
     const auto names = columns_behind(swept_names(sweep));
     const RowStyle style = row_style(names, analyzer.style);
-    for (std::size_t member = 0; member < sweep.size; ++member) {
-        const Analysis analysis = analyze_one(analyzer, pendulum_of(sweep, member), initial_state_of(sweep, member), {});
+    std::size_t member = 0;
+    ProgressLine progress;
+    const auto proceed = [&](double fraction) {
+        return show_and_go_on(progress, (static_cast<double>(member) + fraction) / static_cast<double>(sweep.size));
+    };
+    for (; member < sweep.size; ++member) {
+        const Analysis analysis = analyze_one(analyzer, pendulum_of(sweep, member), initial_state_of(sweep, member), {}, proceed);
         open_output(analyzer, names);
         char* const at = room(analyzer.writer, row_room);
         commit(analyzer.writer, put_analysis(put_swept(at, style, sweep, member), style, analysis));
@@ -100,9 +103,11 @@ Status analyze_lines(Analyzer& analyzer) {
     while (const auto line = read_line(tokens)) {
         open_output(analyzer, names);
         const Source source{Status::bad_data, line->place};
+        ProgressLine progress;
+        const auto proceed = [&progress](double fraction) { return show_and_go_on(progress, fraction); };
         try {
             if (!line->wrong.empty()) refuse(source, line->wrong);
-            const Analysis analysis = analyze_one(analyzer, line->pendulum, line->initial, source);
+            const Analysis analysis = analyze_one(analyzer, line->pendulum, line->initial, source, proceed);
             commit(analyzer.writer, put_analysis(room(analyzer.writer, 4 * field_room), style, analysis));
         } catch (const Failure& failure) {
             if (failure.status != Status::bad_data) throw;

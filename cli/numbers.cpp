@@ -83,7 +83,8 @@ Parsed parse_number(std::string_view name, std::string_view text, Rule rule) {
     switch (spell(text, parsed.value)) {
         case Spelling::good:
             if (!satisfies(rule, parsed.value))
-                parsed.wrong = say({.reason = Refusal::Reason::interval, .value = parsed.value, .rule = rule}, std::string(name));
+                parsed.wrong = say({.reason = Refusal::Reason::interval, .value = parsed.value, .rule = rule},
+                                   std::string(name) + ' ' + in_quotes(text));
             break;
         case Spelling::out_of_range:
             parsed.wrong = wrong_text(name, text, say({"its size must lie between 5e-324 and 1.8e308",

@@ -132,3 +132,16 @@ def test_analyze_has_the_three_formats(pendula):
 def test_analyze_names_the_regime_in_json(pendula, line, regime):
     (record,) = records(pendula("analyze", "--format", "json", text=line))
     assert record["regime"] == regime
+
+
+def test_analyze_goes_through_ranges(pendula, table):
+    done = pendula("analyze", "--theta0", "60deg:90deg:2", "--omega0", "0:2:3")
+    rows = [line.split() for line in done.stdout.decode().splitlines()]
+    assert (done.returncode, done.stderr, rows[3]) == (0, b"", [])
+    assert [row[:2] for row in rows if row] == [[theta, omega] for theta in ("1.0472", "1.5708") for omega in ("0", "1", "2")]
+    for theta, omega, *analysis in filter(None, rows):
+        alone = pendula("analyze", "--theta0", "60deg" if theta == "1.0472" else "90deg", "--omega0", omega)
+        assert alone.stdout.decode().split() == analysis
+    assert pendula("analyze", "--theta0", "1", "--alpha", "1:2:2", "--format", "csv").stdout.startswith(b"alpha,k,thetaM,tau\n1,-1,1,")
+    (first, _) = records(pendula("analyze", "--theta0", "1:2:2", "--format", "json"))
+    assert list(first) == ["theta0", "k", "regime", "thetaM", "tau"]

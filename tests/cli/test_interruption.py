@@ -17,7 +17,7 @@ def assert_whole_rows(output):
     assert output.endswith(b"\n") and {line.count(b" ") for line in output.splitlines()} == {3}
 
 
-@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
 def test_a_run_into_a_file_is_interrupted_at_the_end_of_a_row(start, tmp_path, number):
     file = tmp_path / "table.txt"
     with open(file, "wb") as out:
@@ -58,7 +58,7 @@ def test_long_steps_between_rows_are_interrupted_too(start):
     assert rest(process.stdout) == b"t angulo velocidad funcionSinusoidal\n0 1 0 1\n"
 
 
-@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
 @pytest.mark.parametrize("arguments", [[], ["analyze"]])
 @pytest.mark.parametrize("text", [b"", b"1 1 1 "])
 def test_waiting_for_input_is_interrupted(start, arguments, text, number):

@@ -20,6 +20,36 @@ def test_output_goes_to_the_file_named(pendula, tmp_path):
     assert file.read_bytes() == pendula(text=GOOD).stdout
 
 
+def test_a_hyphen_is_standard_output(pendula, tmp_path):
+    done = pendula("--output", "-", text=GOOD, cwd=tmp_path)
+    assert (done.returncode, done.stdout, list(tmp_path.iterdir())) == (0, pendula(text=GOOD).stdout, [])
+
+
+@pytest.mark.parametrize("kind", ["name", "hard link", "symbolic link", "/dev/stdin", "append"])
+@pytest.mark.parametrize("arguments, text", [([], GOOD), (["analyze"], "1 r 0 r 1\n")])
+def test_the_file_that_is_read_is_never_written(pendula, tmp_path, kind, arguments, text):
+    problems, other = tmp_path / "problems.txt", tmp_path / "other.txt"
+    problems.write_text(text)
+    if kind == "hard link":
+        other.hardlink_to(problems)
+    elif kind == "symbolic link":
+        other.symlink_to(problems)
+    path = {"name": problems, "/dev/stdin": "/dev/stdin"}.get(kind, other)
+    with open(problems, "rb") as given, open(problems, "ab") as appended:
+        if kind == "append":
+            done = pendula(*arguments, text=None, stdin=given, stdout=appended)
+        else:
+            done = pendula(*arguments, "--output", str(path), text=None, stdin=given)
+    assert done.returncode == 2 and b"is what standard input is read from" in done.stderr
+    assert problems.read_text() == text
+
+
+def test_devices_may_be_read_and_written(pendula):
+    assert pendula("--output", "/dev/null", text=GOOD).returncode == 0
+    with open("/dev/null", "rb") as nothing:
+        assert pendula("analyze", "--output", "/dev/null", text=None, stdin=nothing).returncode == 0
+
+
 @pytest.mark.parametrize("text", ["", "0.1 0.1 1 1 x 0 r 1"])
 def test_a_bad_first_problem_leaves_the_file_alone(pendula, tmp_path, text):
     old, new = tmp_path / "old.txt", tmp_path / "new.txt"

@@ -1,6 +1,6 @@
 # What a person types. Each target installs what it needs first: packages of the system by apt, Python's into .venv.
 
-run_needs = g++ cmake ninja-build libcli11-dev
+run_needs = g++ cmake ninja-build
 test_needs = $(bench_needs) libgtest-dev pkg-config nodejs \
 	clang-19 lld-19 libclang-rt-19-dev wasi-libc libc++-19-dev-wasm32 libc++abi-19-dev-wasm32 libclang-rt-19-dev-wasm32 \
 	qemu-user g++-aarch64-linux-gnu gnuplot-nox

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "cli/commands.hpp"
+#include "cli/table.hpp"
 
 namespace pendula::cli {
 
@@ -38,57 +39,25 @@ PARAMETERS
   Ranges multiply; the last varies fastest, and in text an empty line ends it.
   solve and analyze need --theta0; analyze takes no friction and no forcing.
 
-OPTIONS OF solve
-  Times are factors of τ, or seconds. With friction or forcing τ is the period of
-  the drive or, where there is none, 2π/√α.
-  --dt-factor F, --dt S           longest step                      [0.0001]
-  --every-factor F, --every S     time between rows                 [0.02]
-  --until-factor F, --until S     length of the run                 [1]
+METHODS
+  {2}. exact is the closed form: no friction, no
+  forcing; verlet: no friction; taylor chooses its own steps. Measures: rk4, taylor.
+  analyze: agm, the arithmetic-geometric mean, or series, which may need many terms.
 
-OPTIONS OF solve AND OF PROBLEMS ON STANDARD INPUT
-  --method M            {2} [rk4]
-                        exact is the closed form: no friction, no forcing;
-                        verlet: no friction; taylor chooses its own steps from
-  --tolerance E         the relative error of a step of taylor       [1e-15]
-  --columns LIST        of these, with commas between [t,theta,omega and sine]:
-                          t       time, s
-                          theta   angle in [-π, π), rad
-                          omega   angular velocity, rad/s
-                          sine    the sinusoid; nan where it does not oscillate
-                          exact   angle of the closed form
-                          error   theta less exact, in [-π, π)
-                          energy  ω²/2 + α(1 - cos θ), 1/s²
-                          turns   whole turns: θ + 2π turns counts them all
-
-OPTIONS OF EVERY COMMAND
-  --format F            text, csv, or json: an object a line, each problem's own
-                        before its rows                              [text]
-  --precision N         significant digits from 1 to 17, or full: the shortest
-                        that read back to the same double            [6]
-  --output FILE         write to FILE; untouched if the first problem is bad;
-                        - is standard output
-  --lang L              messages in en or es  [from LC_ALL, LC_MESSAGES or LANG]
-  -h, --help            this page
-  --version             the version
-
+COLUMNS of solve and of problems on standard input [t,theta,omega and sine]
+{3}
+MEASURES
+  Looked at once a period of the drive, at Ω t + φ = 2πn; without a drive, of
+  2π/√α. Lines begin with the values of the ranges. Behind them come:
+{4}
 pendula analyze
   Takes parameters, or lines "θ0 unit ω0 unit α" on standard input. Prints
   "k thetaM tau" for each: k is -1 if it oscillates, 0 on the separatrix, 1 if it
   rotates. A bad line becomes a line "ERROR: ..."
-  --method agm|series   arithmetic-geometric mean, or the power series of the
-                        period, which may need many terms            [agm]
-  --epsilon E           relative error of the series                 [1e-7]
 
-MEASURES
-  Looked at once a period of the drive, at Ω t + φ = 2πn; without a drive, of
-  2π/√α. Lines begin with the values of the ranges. Behind them come:
-{3}  --transient N         periods that pass first                      [200]
-  --periods N           that are measured                            [{4}]
-  --method M            rk4 or taylor                                [rk4]
-  --steps N             of each period, by rk4                       [1000]
-  --tolerance E         of taylor                                    [1e-15]
-  --match D             of attractors: how near an orbit comes back  [1e-6]
-  --threads N           [one a processor]; results do not depend on them
+OPTIONS; times are in seconds, or factors of τ: with friction or forcing the period
+  of the drive or, where there is none, 2π/√α
+{5}  -h, --help, --version
 
 EXIT STATUS
   0 done   1 bad data, or a motion out of the range of doubles   2 bad usage
@@ -129,57 +98,26 @@ PARÁMETROS
   deprisa varía, y en texto termina con una línea vacía.
   solve y analyze necesitan --theta0; analyze no admite rozamiento ni fuerzas.
 
-OPCIONES DE solve
-  Los tiempos son factores de τ, o segundos. Con rozamiento o fuerzas, τ es el
-  periodo del forzamiento o, si no lo hay, 2π/√α.
-  --dt-factor F, --dt S           paso máximo                       [0.0001]
-  --every-factor F, --every S     tiempo entre filas                [0.02]
-  --until-factor F, --until S     duración                          [1]
+MÉTODOS
+  {2}. exact es la solución exacta: sin rozamiento ni
+  fuerzas; verlet: sin rozamiento; taylor elige sus pasos. Medidas: rk4, taylor.
+  analyze: agm, la media aritmético-geométrica, o series, que puede necesitar muchos
+  términos.
 
-OPCIONES DE solve Y DE LOS PROBLEMAS EN LA ENTRADA ESTÁNDAR
-  --method M            {2} [rk4]
-                        exact es la solución exacta: sin rozamiento ni fuerzas;
-                        verlet: sin rozamiento; taylor elige sus pasos según
-  --tolerance E         el error relativo de un paso de taylor       [1e-15]
-  --columns LISTA       de estas, separadas por comas [t,theta,omega y sine]:
-                          t       tiempo, s
-                          theta   ángulo en [-π, π), rad
-                          omega   velocidad angular, rad/s
-                          sine    la sinusoide; nan si no oscila
-                          exact   ángulo de la solución exacta
-                          error   theta menos exact, en [-π, π)
-                          energy  ω²/2 + α(1 - cos θ), 1/s²
-                          turns   vueltas enteras: θ + 2π turns las cuenta todas
-
-OPCIONES DE TODAS LAS ÓRDENES
-  --format F            text, csv o json: un objeto por línea, el de cada
-                        problema antes que sus filas                 [text]
-  --precision N         cifras significativas, de 1 a 17, o full: las mínimas
-                        que se releen como el mismo double           [6]
-  --output FICHERO      escribe en FICHERO; no lo toca si el primer problema es
-                        incorrecto; - es la salida estándar
-  --lang L              mensajes en en o es  [según LC_ALL, LC_MESSAGES o LANG]
-  -h, --help            esta página
-  --version             la versión
-
+COLUMNAS de solve y de los problemas en la entrada estándar [t,theta,omega y sine]
+{3}
+MEDIDAS
+  Miran una vez por periodo del forzamiento, cuando Ω t + φ = 2πn; sin él, por
+  periodo de 2π/√α. Las líneas empiezan por los valores de los rangos. Siguen:
+{4}
 pendula analyze
   Acepta parámetros, o líneas "θ0 unidad ω0 unidad α" en la entrada estándar.
   Escribe "k thetaM tau" para cada una: k es -1 si oscila, 0 en la separatriz,
   1 si rota. Una línea incorrecta se convierte en una línea "ERROR: ..."
-  --method agm|series   media aritmético-geométrica, o la serie de potencias del
-                        periodo, que puede necesitar muchos términos  [agm]
-  --epsilon E           error relativo de la serie                   [1e-7]
 
-MEDIDAS
-  Miran una vez por periodo del forzamiento, cuando Ω t + φ = 2πn; sin él, por
-  periodo de 2π/√α. Las líneas empiezan por los valores de los rangos. Siguen:
-{3}  --transient N         periodos que pasan antes                     [200]
-  --periods N           los que se miden                             [{4}]
-  --method M            rk4 o taylor                                 [rk4]
-  --steps N             de cada periodo, con rk4                     [1000]
-  --tolerance E         de taylor                                    [1e-15]
-  --match D             de attractors: a qué distancia vuelve una órbita [1e-6]
-  --threads N           [uno por procesador]; los resultados no dependen de ellos
+OPCIONES; los tiempos son segundos, o factores de τ: con rozamiento o fuerzas, el
+  periodo del forzamiento o, si no lo hay, 2π/√α
+{5}  -h, --help, --version
 
 ESTADO DE SALIDA
   0 hecho   1 datos incorrectos, o un movimiento fuera del rango de double
@@ -227,7 +165,7 @@ std::string usage_lines() {
 }
 
 /// What a line of each measure holds.
-std::string column_lines() {
+std::string measure_lines() {
     std::string lines;
     for (const auto& info : measures) {
         std::string lead = "  " + hyphenated(info.name);
@@ -240,19 +178,31 @@ std::string column_lines() {
     return lines;
 }
 
-/// "100, lyapunov 1000".
-std::string default_periods() {
-    std::string text = shown(measures[0].periods);
-    for (const auto& info : measures)
-        if (info.periods != measures[0].periods) text += ", " + hyphenated(info.name) + ' ' + shown(info.periods);
-    return text;
+std::string table_column_lines() {
+    std::string lines;
+    for (const auto& column : table_columns) lines += padded(std::string("  ") + column.name, 18) + say(column.meaning) + '\n';
+    return lines;
+}
+
+/// The options that are no parameters, under the commands that take them.
+std::string option_lines() {
+    std::string lines;
+    unsigned commands = 0;
+    for (const auto& option : known_options()) {
+        if (!*option.value) continue;
+        if (option.commands != commands) lines += "  " + typed_commands(option.commands, "") + ":\n";
+        commands = option.commands;
+        lines += padded("    " + option.name + ' ' + option.value, 24) + say(option.meaning);
+        lines += option.otherwise.empty() ? "\n" : " [" + option.otherwise + "]\n";
+    }
+    return lines;
 }
 
 }  // namespace
 
 std::string manual() {
     return say(page, {usage_lines(), parameter_lines(), joined({std::begin(method_names), std::end(method_names)}),
-                      column_lines(), default_periods()}) +
+                      table_column_lines(), measure_lines(), option_lines()}) +
            std::string(examples);
 }
 

@@ -69,7 +69,7 @@ std::string json_head(const Run& run) {
         const bool is_of_length = i >= parameter_count;
         if (run.sweep.has_length ? parameter.value == &Pendulum::alpha : is_of_length) continue;
         const Range& range = run.sweep.values[i];
-        const std::string first = shown_in_full(range.first), last = shown_in_full(range.last);
+        const std::string first = shown(range.first, full), last = shown(range.last, full);
         add_member(line, parameter.name,
                    range.is_range ? '[' + first + ',' + last + ',' + std::to_string(range.count) + ']' : first);
     }

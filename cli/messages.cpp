@@ -87,30 +87,24 @@ std::string in_quotes(std::string_view token, std::size_t longest) {
 }
 
 std::string reason(int error) {
-    switch (error) {
-        case ENOSPC:
-            return say({"no space left on the device", "no queda espacio en el dispositivo"});
-        case EDQUOT:
-            return say({"disk quota exceeded", "se ha superado la cuota de disco"});
-        case EFBIG:
-            return say({"the file would be too large", "el fichero sería demasiado grande"});
-        case EACCES:
-            return say({"permission denied", "permiso denegado"});
-        case ENOENT:
-            return say({"no such file or directory", "no existe el fichero o el directorio"});
-        case EISDIR:
-            return say({"it is a directory", "es un directorio"});
-        case ENOTDIR:
-            return say({"part of the path is not a directory", "parte de la ruta no es un directorio"});
-        case EROFS:
-            return say({"the file system is read-only", "el sistema de ficheros es de solo lectura"});
-        case EBADF:
-            return say({"it is closed", "está cerrada"});
-        case EIO:
-            return say({"input/output error", "error de entrada/salida"});
-        default:
-            return say({"system error {0}", "error {0} del sistema"}, {std::to_string(error)});
-    }
+    static constexpr struct {
+        int error;
+        Words text;
+    } known[] = {
+        {ENOSPC, {"no space left on the device", "no queda espacio en el dispositivo"}},
+        {EDQUOT, {"disk quota exceeded", "se ha superado la cuota de disco"}},
+        {EFBIG, {"the file would be too large", "el fichero sería demasiado grande"}},
+        {EACCES, {"permission denied", "permiso denegado"}},
+        {ENOENT, {"no such file or directory", "no existe el fichero o el directorio"}},
+        {EISDIR, {"it is a directory", "es un directorio"}},
+        {ENOTDIR, {"part of the path is not a directory", "parte de la ruta no es un directorio"}},
+        {EROFS, {"the file system is read-only", "el sistema de ficheros es de solo lectura"}},
+        {EBADF, {"it is closed", "está cerrada"}},
+        {EIO, {"input/output error", "error de entrada/salida"}},
+    };
+    for (const auto& [number, text] : known)
+        if (number == error) return say(text);
+    return say({"system error {0}", "error {0} del sistema"}, {std::to_string(error)});
 }
 
 std::string joined(const std::vector<std::string>& words) {

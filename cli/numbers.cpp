@@ -119,14 +119,9 @@ char* put_number(char* at, double value, int precision) {
     return std::to_chars(at, end, value, std::chars_format::general, precision).ptr;
 }
 
-std::string shown(double value) {
+std::string shown(double value, int precision) {
     char digits[number_room];
-    return {digits, put_number(digits, value, 6)};
-}
-
-std::string shown_in_full(double value) {
-    char digits[number_room];
-    return {digits, put_number(digits, value, full)};
+    return {digits, put_number(digits, value, precision)};
 }
 
 }  // namespace pendula::cli

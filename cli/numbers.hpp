@@ -33,8 +33,7 @@ inline constexpr std::size_t number_room = 32;
 /// NaN is written as `nan`.
 char* put_number(char* at, double value, int precision);
 
-/// The number as messages show it, with six digits, and with all that it has.
-std::string shown(double value);
-std::string shown_in_full(double value);
+/// `put_number` as a string; messages show six digits.
+std::string shown(double value, int precision = 6);
 
 }  // namespace pendula::cli

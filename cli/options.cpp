@@ -13,60 +13,18 @@ constexpr unsigned all_solutions = solve_input_command | solve_command;
 constexpr unsigned all_but_input = solve_command | analyze_command | all_measures;
 constexpr unsigned all_commands = all_but_input | solve_input_command;
 
-struct Option {
-    std::string name;
-    unsigned commands;  ///< that take it
-};
-
 /// The commands that take a parameter; analyze takes what the equation of a free pendulum has.
 unsigned takers(const Parameter& parameter) {
     const bool is_forcing = parameter.value && parameter.value != &Pendulum::alpha;
     return is_forcing ? solve_command | all_measures : all_but_input;
 }
 
-const std::vector<Option>& known_options() {
-    static const std::vector<Option> known = [] {
-        std::vector<Option> all;
-        for (std::size_t i = 0; i < swept_count; ++i)
-            all.push_back({option_of(swept_parameter(i).name), takers(swept_parameter(i))});
-        const Option others[] = {
-            {"--transient", all_measures},
-            {"--periods", all_measures},
-            {"--steps", all_measures},
-            {"--match", command_of(measures[static_cast<int>(Measure::attractors)])},
-            {"--threads", all_measures},
-            {"--tolerance", all_solutions | all_measures},
-            {"--dt-factor", solve_command},
-            {"--dt", solve_command},
-            {"--every-factor", solve_command},
-            {"--every", solve_command},
-            {"--until-factor", solve_command},
-            {"--until", solve_command},
-            {"--method", all_commands},
-            {"--epsilon", analyze_command},
-            {"--columns", all_solutions},
-            {"--format", all_commands},
-            {"--precision", all_commands},
-            {"--output", all_commands},
-            {"--lang", all_commands},
-        };
-        all.insert(all.end(), std::begin(others), std::end(others));
-        return all;
-    }();
-    return known;
-}
-
-const Option* find(std::string_view name) {
-    const auto found = std::ranges::find(known_options(), name, &Option::name);
-    return found == known_options().end() ? nullptr : &*found;
-}
-
-/// The commands of a mask, as they are typed.
-std::string typed_commands(unsigned mask) {
-    std::vector<std::string> typed;
-    for (const auto& name : command_names())
-        if (mask & *command_named(name)) typed.push_back("pendula " + name);
-    return joined(typed);
+/// "100, lyapunov 1000".
+std::string default_periods() {
+    std::string text = shown(measures[0].periods);
+    for (const auto& info : measures)
+        if (info.periods != measures[0].periods) text += ", " + hyphenated(info.name) + ' ' + shown(info.periods);
+    return text;
 }
 
 /// What to say of an argument that is no option of the command nor the value of one.
@@ -76,7 +34,7 @@ std::string typed_commands(unsigned mask) {
                          "el argumento {0} sobra; las opciones empiezan por --, consulta pendula --help"},
                         {in_quotes(extra)});
     const auto name = extra.substr(0, extra.find('='));
-    if (const Option* other = find(name))
+    if (const Option* other = find_option(name))
         throw bad_usage({"option {0} belongs to {1}", "la opción {0} es de {1}"}, {name, typed_commands(other->commands)});
     std::vector<std::string> names{"--help", "--version"};
     for (const auto& option : known_options())
@@ -130,6 +88,14 @@ std::vector<std::string> command_names() {
     return names;
 }
 
+std::string typed_commands(unsigned mask, const std::string& lead) {
+    std::vector<std::string> typed;
+    if (mask & solve_input_command) typed.push_back("pendula");
+    for (const auto& name : command_names())
+        if (mask & *command_named(name)) typed.push_back(lead + name);
+    return joined(typed);
+}
+
 std::string hyphenated(std::string_view name) {
     std::string typed(name);
     std::ranges::replace(typed, '_', '-');
@@ -146,7 +112,50 @@ const Parameter& swept_parameter(std::size_t i) {
     return i < parameter_count ? parameters[i] : makers_of_alpha[i - parameter_count];
 }
 
-bool is_option(std::string_view name) { return find(name); }
+const std::vector<Option>& known_options() {
+    static const std::vector<Option> known = [] {
+        std::vector<Option> all;
+        for (std::size_t i = 0; i < swept_count; ++i)
+            all.push_back({option_of(swept_parameter(i).name), takers(swept_parameter(i))});
+        const Words seconds{"the same in seconds", "lo mismo en segundos"};
+        const Option others[] = {
+            {"--dt-factor", solve_command, "F", {"longest step, as a factor of τ", "paso máximo, como factor de τ"}, "0.0001"},
+            {"--dt", solve_command, "S", seconds},
+            {"--every-factor", solve_command, "F", {"time between rows", "tiempo entre filas"}, "0.02"},
+            {"--every", solve_command, "S", seconds},
+            {"--until-factor", solve_command, "F", {"length of the run", "duración"}, "1"},
+            {"--until", solve_command, "S", seconds},
+            {"--columns", all_solutions, "LIST", {"see COLUMNS", "véase COLUMNAS"}},
+            {"--epsilon", analyze_command, "E", {"relative error of the series", "error relativo de la serie"}, "1e-7"},
+            {"--transient", all_measures, "N", {"periods that pass first", "periodos que pasan antes"}, "200"},
+            {"--periods", all_measures, "N", {"periods that are measured", "periodos que se miden"}, default_periods()},
+            {"--steps", all_measures, "N", {"steps of each period, by rk4", "pasos de cada periodo, con rk4"}, "1000"},
+            {"--threads", all_measures, "N", {"results do not depend on them", "los resultados no dependen de ellos"}},
+            {"--match", command_of(measures[static_cast<int>(Measure::attractors)]), "D",
+             {"how near an orbit comes back", "a qué distancia vuelve una órbita"}, "1e-6"},
+            {"--tolerance", all_solutions | all_measures, "E",
+             {"relative error of a step of taylor", "error relativo de un paso de taylor"}, "1e-15"},
+            {"--method", all_commands, "M", {"see METHODS", "véase MÉTODOS"}},
+            {"--format", all_commands, "F", {"text, csv, or json: an object a line", "text, csv o json: un objeto por línea"}, "text"},
+            {"--precision", all_commands, "N",
+             {"digits from 1 to 17, or full: those that read back the same",
+              "cifras, de 1 a 17, o full: las que se releen igual"}, "6"},
+            {"--output", all_commands, "FILE",
+             {"untouched if the first problem is bad; - is standard output",
+              "intacto si el primer problema es incorrecto; - es la salida estándar"}},
+            {"--lang", all_commands, "L", {"en or es, else as LC_ALL, LC_MESSAGES or LANG say",
+                                           "en o es; si no, según LC_ALL, LC_MESSAGES o LANG"}},
+        };
+        all.insert(all.end(), std::begin(others), std::end(others));
+        return all;
+    }();
+    return known;
+}
+
+const Option* find_option(std::string_view name) {
+    const auto found = std::ranges::find(known_options(), name, &Option::name);
+    return found == known_options().end() ? nullptr : &*found;
+}
 
 Options parse(Command command, std::span<const std::string_view> arguments) {
     Options options;
@@ -154,7 +163,7 @@ Options parse(Command command, std::span<const std::string_view> arguments) {
     for (std::size_t i = 0; i < arguments.size(); ++i) {
         const auto argument = arguments[i];
         const auto name = argument.substr(0, argument.find('='));
-        const Option* const option = find(name);
+        const Option* const option = find_option(name);
         if (argument == "-h" || argument == "--help") {
             options.wants_help = true;
         } else if (argument == "--version") {

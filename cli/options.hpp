@@ -30,6 +30,9 @@ const MeasureInfo* measure_of(Command command);
 std::optional<Command> command_named(std::string_view name);
 std::vector<std::string> command_names();
 
+/// The commands of a mask, as they are typed: "pendula, pendula solve".
+std::string typed_commands(unsigned mask, const std::string& lead = "pendula ");
+
 /// "mean-velocity" of mean_velocity, and "--drive-amplitude" of drive_amplitude.
 std::string hyphenated(std::string_view name);
 std::string option_of(std::string_view name);
@@ -39,8 +42,18 @@ std::string option_of(std::string_view name);
 inline constexpr std::size_t swept_count = parameter_count + 2;
 const Parameter& swept_parameter(std::size_t i);
 
-/// Whether any command has such an option.
-bool is_option(std::string_view name);
+struct Option {
+    std::string name;
+    unsigned commands;      ///< that take it
+    const char* value = ""; ///< a letter for what stands behind it, in the manual, which has a line for each option with one
+    Words meaning = {"", ""};
+    std::string otherwise = {};
+};
+
+/// All options, those of parameters first.
+const std::vector<Option>& known_options();
+/// The option of this name, or null.
+const Option* find_option(std::string_view name);
 
 /// The options given, in their order.
 struct Options {

@@ -44,7 +44,7 @@ void add_member(std::string& object, std::string_view name, std::string_view tex
 }
 
 void add_number(std::string& object, std::string_view name, double value) {
-    add_member(object, name, shown_in_full(value));
+    add_member(object, name, shown(value, full));
 }
 
 char* put_text(char* at, std::string_view text) {

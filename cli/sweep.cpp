@@ -88,7 +88,7 @@ std::string place_of(const Sweep& sweep, std::size_t member) {
     std::vector<std::string> values;
     for (const std::size_t i : sweep.ranges)
         values.push_back(say({"{0} is {1}", "{0} es {1}"},
-                             {option_of(swept_parameter(i).name), shown_in_full(value_of(sweep, i, member))}));
+                             {option_of(swept_parameter(i).name), shown(value_of(sweep, i, member), full)}));
     return values.empty() ? "" : say({"where {0}: ", "donde {0}: "}, {joined(values)});
 }
 
@@ -158,7 +158,7 @@ std::string name_in_options(const Sweep& sweep, const Refusal& refusal) {
     const std::string_view name = refusal.name;
     if (name == "alpha" && sweep.has_length) return say({"--gravity over --length", "--gravity entre --length"});
     if (name == "steps_per_period") return "--steps";
-    return is_option(option_of(name)) ? option_of(name) : std::string(name);
+    return find_option(option_of(name)) ? option_of(name) : std::string(name);
 }
 
 Members members_of(const Sweep& sweep, std::size_t first, std::size_t count) {

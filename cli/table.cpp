@@ -15,11 +15,7 @@ namespace {
 
 constexpr std::size_t block = 256;       // rows computed at a time
 constexpr double step_budget = 1 << 20;  // some 30 ms of steps: how long an interruption may have to wait
-constexpr std::size_t row_room = std::size(column_names) * field_room;
-
-/// The headers of text: the assignment's words where it has them.
-constexpr std::string_view assignment_names[] = {"t",     "angulo", "velocidad", "funcionSinusoidal",
-                                                 "exact", "error",  "energy",    "turns"};
+constexpr std::size_t row_room = std::size(table_columns) * field_room;
 
 bool is_of_closed_form(TableColumn column) {
     return column == TableColumn::sine || column == TableColumn::exact || column == TableColumn::error;
@@ -107,7 +103,7 @@ std::size_t append_rows(Writer& writer, const Block& at_hand, std::size_t n, con
                   prepared.source.place +
                       say({"from row {0} on, t = {1} s, the motion is out of the range of doubles; the rows before it are printed",
                            "desde la fila {0}, t = {1} s, el movimiento se sale del rango de double; las filas anteriores están escritas"},
-                          {shown_in_full(row + 1), shown(prepared.problem.schedule.time_of(row))})};
+                          {shown(row + 1, full), shown(prepared.problem.schedule.time_of(row))})};
 }
 
 double fraction_done(const Trajectory& run) {
@@ -123,7 +119,7 @@ void require_columns(const Prepared& prepared, const Layout& layout) {
     for (const TableColumn column : layout.columns)
         if (is_of_closed_form(column))
             if (const auto refusal = check(problem))
-                refuse(prepared.source, say(refusal, "exact (--columns " + std::string(column_names[static_cast<int>(column)]) + ')'));
+                refuse(prepared.source, say(refusal, "exact (--columns " + std::string(table_columns[static_cast<int>(column)].name) + ')'));
 }
 
 void print_table(Writer& writer, const Prepared& prepared, const Layout& layout, std::size_t number) {
@@ -133,7 +129,7 @@ void print_table(Writer& writer, const Prepared& prepared, const Layout& layout,
     bool needs_exact = false;
     for (const TableColumn column : columns) {
         const auto i = static_cast<std::size_t>(column);
-        names.push_back(format == Format::text ? assignment_names[i] : column_names[i]);
+        names.push_back(format == Format::text ? table_columns[i].header : table_columns[i].name);
         needs_exact |= column == TableColumn::exact || column == TableColumn::error;
     }
     const RowStyle style = row_style(names, layout.style);

@@ -142,7 +142,7 @@ const std::vector<Option>& known_options() {
               "cifras, de 1 a 17, o full: las que se releen igual"}, "6"},
             {"--output", all_commands, "FILE",
              {"untouched if the first problem is bad; - is standard output",
-              "intacto si el primer problema es incorrecto; - es la salida estándar"}},
+              "intacto si el primer problema está mal; - es la salida estándar"}},
             {"--lang", all_commands, "L", {"en or es, else as LC_ALL, LC_MESSAGES or LANG say",
                                            "en o es; si no, según LC_ALL, LC_MESSAGES o LANG"}},
         };

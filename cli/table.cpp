@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -84,11 +85,17 @@ double field(TableColumn column, const Block& at_hand, std::size_t i, const Traj
     return NAN;
 }
 
+/// Whether a row's columns are all numbers: the motion is within the doubles, and the closed form at its time, where it is printed.
+bool is_finite(const Sample& row, double latest) {
+    return std::isfinite(row.theta) && std::isfinite(row.omega) && row.t <= latest;
+}
+
 /// Appends the rows up to the first that is not finite, and returns how many.
 std::size_t append_rows(Writer& writer, const Block& at_hand, std::size_t n, const Trajectory& run,
                         const std::vector<TableColumn>& columns, const RowStyle& style) {
+    const double latest = std::ranges::any_of(columns, is_of_closed_form) ? latest_time(run.solution) : INFINITY;
     for (std::size_t i = 0; i < n; ++i) {
-        if (!std::isfinite(at_hand.rows[i].theta) || !std::isfinite(at_hand.rows[i].omega)) return i;
+        if (!is_finite(at_hand.rows[i], latest)) return i;
         char* end = room(writer, row_room);
         for (std::size_t c = 0; c < columns.size(); ++c) end = put_field(end, style, c, field(columns[c], at_hand, i, run));
         commit(writer, put_text(end, style.end));

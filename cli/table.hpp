@@ -40,7 +40,7 @@ struct Layout {
     Style style;
 };
 
-/// Refuses columns of the closed form for a pendulum that has none.
+/// Refuses columns of the closed form for a pendulum that has none, or later than it is right.
 void require_columns(const Prepared& prepared, const Layout& layout);
 
 /// Solves the problem, the `number`th from 1, and prints its table while it runs, and shows its progress. Throws Failure with

@@ -88,7 +88,7 @@ def test_a_motion_that_leaves_the_doubles_ends_with_status_1_and_the_row(pendula
     )
 
 
-@pytest.mark.parametrize("problem", ["0.0001 0.02 1 90 s 1e308 r 1", "1e300 1e300 1e300 1 r 0 r 1"])
+@pytest.mark.parametrize("problem", ["0.0001 0.02 1 90 s 1e308 r 1", "1e300 1e300 1e300 1 r 0 r 1", "1e16 1e16 1e16 1 r 0 r 1"])
 def test_a_problem_that_leaves_the_doubles_is_bad_data_of_its_line(pendula, problem):
     good = "0.01 0.5 1 1 r 0 r 1\n"
     done = pendula(text=good + problem + "\n" + good)
@@ -114,3 +114,16 @@ def test_one_row_only_is_remarked_on(pendula):
         done = pendula(*arguments, text=text)
         assert done.returncode == 0 and done.stdout.count(b"\n") == 2
         assert done.stderr.decode() == f"pendula: {place}the time between rows is longer than the run: there is one row\n"
+
+
+def test_the_closed_form_is_refused_later_than_it_is_right(pendula):
+    """2^52 periods of 6.69998 s are 3.017e16 s."""
+    late = ["--dt", "1e16", "--every", "1e16", "--until", "4e16"]
+    for arguments in (["--method", "exact", *late[2:]], ["--columns", "t,exact", *late], ["--columns", "error", *late]):
+        done = pendula("solve", "--theta0", "1", *arguments)
+        assert (done.returncode, done.stdout) == (2, b"")
+        assert done.stderr.decode().startswith("pendula: the closed form is right up to t = 3017")
+    done = pendula("--method", "exact", text="1 1e16 2e16 1 r 0 r 1")
+    assert (done.returncode, done.stdout) == (1, b"")
+    assert done.stderr.startswith(b"pendula: problem 1, line 1: the closed form is right up to t = 3017")
+    assert pendula("solve", "--theta0", "1", "--method", "exact", "--every", "1e16", "--until", "3e16").returncode == 0

@@ -59,7 +59,7 @@ void print_late() {
         for (const auto& c : closed_form("late.txt")) {
             if (c.group != group) continue;
             ++cases;
-            const auto solution = pendula::exact(c.alpha, c.initial);
+            const auto solution = pendula::make_exact(c.alpha, c.initial);
             for (const auto& i : c.instants) {
                 const auto e = error_at(c, solution, i);
                 theta(e.theta);

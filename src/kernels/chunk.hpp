@@ -47,8 +47,8 @@ struct TaylorStep {
     T t, t_lo;  ///< at the start, in two doubles [s]
     T unit;     ///< a power of two near 1/rate, so that no coefficient overflows [s]
     T length;   ///< [s]; NaN once the motion is not finite
-    T v[taylor_coefficients];  ///< omega unit
-    T v1_lo;                   ///< what rounding has kept out of v[1]
+    T series[taylor_coefficients];  ///< of v = omega unit
+    T series_1_lo;                  ///< what rounding has kept out of series[1]
 };
 
 /// A displacement at a step's start, and its theta as a polynomial in x.

@@ -16,7 +16,8 @@ using T = Pack<width>;
 
 void exact(const Exact& solution, std::size_t n, const double* t, double* theta, double* omega, double* turns) {
     const Exact e = solution;  // which no store can change
-    const auto pack = [&](std::size_t i, std::size_t bytes) {
+    // Inlined, so that all packs but the last have a size that is known.
+    const auto pack = [&](std::size_t i, std::size_t bytes) __attribute__((always_inline)) {
         T time{};
         __builtin_memcpy(&time, t + i, bytes);
         const auto s = closed_form(e, time);

@@ -114,6 +114,7 @@ inline TaylorTerms<T> taylor_terms(const TaylorPendulum<T>& p, DoubleDouble<T> t
         f.drive = r.cos * k.drive;
         f.drive_slope = -(k.drive * frequency * r.sin.hi);
         f.square_frequency = frequency * frequency;
+        if (!any<T>(p.parameters.pivot_amplitude != 0.0)) return f;
         const auto pivot = r.cos * k.pivot;
         f.pull = pivot + k.pull;
         f.pivot = pivot.hi;
@@ -152,9 +153,11 @@ inline void taylor_series(const Parameters<T>& p, const TaylorTerms<T>& f, SinCo
     put(is_shaken, [&](Series<T>& its_v, Series<T>& its_C) { shaken_series<order>(f, angle, its_v, its_C); });
 }
 
+// A step below is a TaylorStep or, of one pendulum, a TaylorPolynomial as it stands: to copy it takes a quarter of a step's time.
+
 /// The polynomials of a step from its start and time; C as in taylor_series.hpp.
-template <class T>
-inline void expand(const TaylorPendulum<T>& pendulum, TaylorReach reach, TaylorStep<T>& step, Series<T>& C) {
+template <class T, class Step>
+inline void expand(const TaylorPendulum<T>& pendulum, TaylorReach reach, Step& step, Series<T>& C) {
     const auto& p = pendulum.parameters;
     step.unit = power_below_inverse(abs(step.start.omega) + pendulum.rate);
     const auto f = taylor_terms(pendulum, {step.t, step.t_lo}, step.unit);
@@ -165,20 +168,20 @@ inline void expand(const TaylorPendulum<T>& pendulum, TaylorReach reach, TaylorS
         const auto shaken = r.sin * f.pull;
         sine = {select<T>(is_shaken, shaken.hi, sine.hi), select<T>(is_shaken, shaken.lo, sine.lo)};
     }
-    step.v[0] = step.start.omega * step.unit;
+    step.series[0] = step.start.omega * step.unit;
     // Acceleration and velocity make most of a step's change: rounding of the former would be that of all.
     auto acceleration = -sine;
     if (any<T>((p.beta != 0.0) | (p.torque != 0.0) | (p.drive_amplitude != 0.0)))
-        acceleration = ((f.drive + f.k.torque) - two_prod(f.k.drag, step.v[0])) - sine;
-    step.v[1] = acceleration.hi;
-    step.v1_lo = acceleration.lo;
+        acceleration = ((f.drive + f.k.torque) - two_prod(f.k.drag, step.series[0])) - sine;
+    step.series[1] = acceleration.hi;
+    step.series_1_lo = acceleration.lo;
     const SinCos<T> rounded{r.sin.hi, r.cos.hi};
     if (reach.order == taylor_order_limit)
-        taylor_series<taylor_order_limit>(p, f, rounded, sine.hi, step.v, C);
+        taylor_series<taylor_order_limit>(p, f, rounded, sine.hi, step.series, C);
     else
-        taylor_series<taylor_low_order>(p, f, rounded, sine.hi, step.v, C);
+        taylor_series<taylor_low_order>(p, f, rounded, sine.hi, step.series, C);
     // A motion that is not finite has no length.
-    step.length = taylor_length(reach, step.start.theta, step.v) * step.unit + 0.0 * step.v[reach.order];
+    step.length = taylor_length(reach, step.start.theta, step.series) * step.unit + 0.0 * step.series[reach.order];
 }
 
 /// The sum of factor(k) a[k] x^(k - first) for k from `first` on: four chains of dependent operations side by side.
@@ -196,14 +199,14 @@ inline T tail_of_series(const Series<T>& a, T x, Factor factor) {
 }
 
 /// The motion at a time of the step, given since its start.
-template <class T>
-inline Motion<T> motion_at(const TaylorStep<T>& step, T since) {
+template <class T, class Step>
+inline Motion<T> motion_at(const Step& step, T since) {
     const T per_unit = 1.0 / step.unit, x = since * per_unit;
-    const T change = (x * x) * tail_of_series<2>(step.v, x, [](T a, int) { return a; }) + step.v1_lo * x;
-    const T bend = (x * x) * tail_of_series<1>(step.v, x, [](T a, int k) { return a * (1.0 / (k + 1)); });
-    const Motion<T>& start = step.start;
+    const T change = (x * x) * tail_of_series<2>(step.series, x, [](T a, int) { return a; }) + step.series_1_lo * x;
+    const T bend = (x * x) * tail_of_series<1>(step.series, x, [](T a, int k) { return a * (1.0 / (k + 1)); });
+    const auto& start = step.start;
     // The first terms are large, so that their rounding is kept too.
-    const auto way = two_prod(step.v[0], x), gain = two_prod(step.v[1], x);
+    const auto way = two_prod(step.series[0], x), gain = two_prod(step.series[1], x);
     const auto theta = two_sum(start.theta, way.hi), omega = two_sum(start.omega, gain.hi * per_unit);
     Motion<T> m{theta.hi, omega.hi, start.turns, theta.lo + (way.lo + (start.theta_lo + start.omega_lo * since)),
                 omega.lo + (start.omega_lo + gain.lo * per_unit)};
@@ -211,24 +214,31 @@ inline Motion<T> motion_at(const TaylorStep<T>& step, T since) {
     return m;
 }
 
-/// From a step's start to its end, where the next one starts.
+/// The time at which a step ends.
 template <class T>
-inline void go_to_end(TaylorStep<T>& step) {
-    step.start = motion_at(step, step.length);
-    const auto t = DoubleDouble<T>{step.t, step.t_lo} + step.length;
+inline DoubleDouble<T> end_of(const T& t, const T& t_lo, const T& length) {
+    return DoubleDouble<T>{t, t_lo} + length;
+}
+
+/// From a step's start to its end, where the next one starts.
+template <class Step>
+inline void go_to_end(Step& step) {
+    const auto m = motion_at(step, step.length);
+    const auto t = end_of(step.t, step.t_lo, step.length);
+    step.start = {m.theta, m.omega, m.turns, m.theta_lo, m.omega_lo};
     step.t = t.hi;
     step.t_lo = t.lo;
 }
 
 /// Where the step ends before time t.
-template <class T>
-inline Mask<T> ends_before(const TaylorStep<T>& step, T t) {
+template <class T, class Step>
+inline Mask<T> ends_before(const Step& step, T t) {
     return (step.t - t) + (step.t_lo + step.length) < 0.0;
 }
 
 /// Makes NaN of a motion that more than 2^53 steps of this length would take to time t.
-template <class T>
-inline void give_up_endless(TaylorStep<T>& step, T t) {
+template <class T, class Step>
+inline void give_up_endless(Step& step, T t) {
     const auto is_endless = (step.length > 0.0) & (step.length < (t - step.t) * 0x1p-53);
     if (!any<T>(is_endless)) return;
     const T nan = splat<T>(__builtin_nan(""));

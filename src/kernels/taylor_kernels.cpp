@@ -23,11 +23,10 @@ template <bool has_tangent>
 void next_step(const TaylorPendulum<T>& p, TaylorReach reach, const Mask<T>& goes_on, TaylorStep<T>& step,
                TangentStep<T>& tangent) {
     if constexpr (has_tangent) tangent.start = choose(goes_on, tangent_at(tangent, step.unit, step.length), tangent.start);
-    auto next = step;
-    go_to_end(next);
-    step.start = choose(goes_on, next.start, step.start);
-    step.t = select<T>(goes_on, next.t, step.t);
-    step.t_lo = select<T>(goes_on, next.t_lo, step.t_lo);
+    step.start = choose(goes_on, motion_at(step, step.length), step.start);
+    const auto t = end_of(step.t, step.t_lo, step.length);
+    step.t = select<T>(goes_on, t.hi, step.t);
+    step.t_lo = select<T>(goes_on, t.lo, step.t_lo);
     Series<T> C;
     expand(p, reach, step, C);
     if constexpr (has_tangent) {

@@ -6,7 +6,7 @@
 namespace pendula {
 
 using namespace arithmetic;
-using kernels::TaylorStep;
+using kernels::motion_at;
 
 namespace {
 
@@ -81,7 +81,7 @@ void cut_step(Crossings& search) noexcept {
 }
 
 /// Twice the level of what is crossed where it is upon one, and the odd number between two levels elsewhere.
-double side_of(Crossed crossed, const kernels::Motion<double>& m) noexcept {
+double side_of(Crossed crossed, const auto& m) noexcept {
     const double x = crossed == Crossed::theta ? m.theta : m.omega;
     const double sign = x > 0 ? 1 : x < 0 ? -1 : 0;
     return crossed == Crossed::theta ? 2 * m.turns + sign : sign;
@@ -93,17 +93,17 @@ struct Departure {
     double rate;
 };
 
-Departure departure(const Crossings& search, const TaylorStep<double>& step, double since, double level) noexcept {
+Departure departure(const Crossings& search, const TaylorPolynomial& step, double since, double level) noexcept {
     const auto m = motion_at(step, since);
     if (search.crossed == Crossed::theta) return {(2 * m.turns - level) * two_pi_dd[0] * 0.5 + (m.theta + m.theta_lo), m.omega};
     const double x = since / step.unit;
-    const double slope = kernels::tail_of_series<1>(step.v, x, [](double a, int k) { return a * k; });
+    const double slope = kernels::tail_of_series<1>(step.series, x, [](double a, int k) { return a * k; });
     return {m.omega + m.omega_lo, slope / (step.unit * step.unit)};
 }
 
 /// When a level is crossed between two times of the step, by safeguarded Newton iteration: Newton's steps and bisections take
 /// turns, and a Newton step out of the bracket is replaced by a bisection. 128 iterations leave no double in the bracket.
-double time_of_crossing(const Crossings& search, const TaylorStep<double>& step, double low, double high,
+double time_of_crossing(const Crossings& search, const TaylorPolynomial& step, double low, double high,
                         double level) noexcept {
     const bool rises = side_of(search.crossed, motion_at(step, low)) < level;
     double since = 0.5 * (low + high);
@@ -118,13 +118,13 @@ double time_of_crossing(const Crossings& search, const TaylorStep<double>& step,
     return since;
 }
 
-Sample sample_at(const TaylorStep<double>& step, double since) noexcept {
+Sample sample_at(const TaylorPolynomial& step, double since) noexcept {
     const auto m = motion_at(step, since);
     return {(DoubleDouble<double>{step.t, step.t_lo} + since).hi, m.theta, m.omega, m.turns};
 }
 
 /// The crossing of the next level on the way to the cut at which the search is, if that is beyond one.
-bool crosses(Crossings& search, const TaylorStep<double>& step, double until, Crossing& crossing) noexcept {
+bool crosses(Crossings& search, const TaylorPolynomial& step, double until, Crossing& crossing) noexcept {
     const double end = search.cuts[search.cut], side = side_of(search.crossed, motion_at(step, end));
     const bool is_even = side == 2 * round_even(0.5 * side);
     if (search.side != 0 && abs(side - search.side) > 1) {
@@ -151,7 +151,7 @@ Crossings make_crossings(const Pendulum& pendulum, State initial, Crossed crosse
     Crossings search;
     search.run = make_taylor(pendulum, initial, tolerance, t);
     search.crossed = crossed;
-    const double side = side_of(crossed, step_of(search.run).start);
+    const double side = side_of(crossed, search.run.step.start);
     if (side != 2 * round_even(0.5 * side)) search.side = side;
     cut_step(search);
     return search;
@@ -159,10 +159,9 @@ Crossings make_crossings(const Pendulum& pendulum, State initial, Crossed crosse
 
 bool next_crossing(Crossings& search, double until, Crossing& crossing, double step_budget) noexcept {
     while (search.run.step.length == search.run.step.length) {
-        const auto at_step = step_of(search.run);
         while (search.cut < search.cut_count) {
             const int cut = search.cut;
-            if (crosses(search, at_step, until, crossing)) return true;
+            if (crosses(search, search.run.step, until, crossing)) return true;
             if (search.cut == cut) return false;  // the crossing lies beyond `until`
         }
         if (!goes_on_to(search.run, until) || --step_budget < 0) return false;

@@ -11,12 +11,6 @@ namespace pendula {
 inline kernels::Parameters<double> parameters_of(const Pendulum& p) noexcept {
     return __builtin_bit_cast(kernels::Parameters<double>, p);
 }
-inline kernels::TaylorStep<double> step_of(const Taylor& run) noexcept {
-    return __builtin_bit_cast(kernels::TaylorStep<double>, run.step);
-}
-inline void put_step(Taylor& run, const kernels::TaylorStep<double>& step) noexcept {
-    run.step = __builtin_bit_cast(TaylorPolynomial, step);
-}
 
 /// Runge-Kutta steps from the time row_time + first h, in blocks counted from the row.
 inline void rk4_steps(const kernels::Rk4Step<double>& step, double row_time, double first, kernels::Motion<double>& x,
@@ -32,11 +26,8 @@ inline void rk4_steps(const kernels::Rk4Step<double>& step, double row_time, dou
 /// Whether Taylor's method has to step on towards time t. Makes NaN of a motion that would take more than 2^53 steps to it.
 inline bool goes_on_to(Taylor& run, double t) noexcept {
     if (reaches(run, t)) return false;
-    auto step = step_of(run);
-    kernels::give_up_endless(step, t);
-    if (step.length == step.length) return true;
-    put_step(run, step);
-    return false;
+    kernels::give_up_endless(run.step, t);
+    return run.step.length == run.step.length;
 }
 
 }  // namespace pendula

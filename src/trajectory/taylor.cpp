@@ -7,10 +7,9 @@ namespace pendula {
 
 namespace {
 
-void expand(Taylor& run, kernels::TaylorStep<double>& step) noexcept {
+void expand(Taylor& run) noexcept {
     kernels::Series<double> cosine;
-    kernels::expand(kernels::taylor_pendulum(parameters_of(run.pendulum)), {run.order, run.log2_fraction}, step, cosine);
-    put_step(run, step);
+    kernels::expand(kernels::taylor_pendulum(parameters_of(run.pendulum)), {run.order, run.log2_fraction}, run.step, cosine);
 }
 
 }  // namespace
@@ -26,21 +25,19 @@ Taylor make_taylor(const Pendulum& pendulum, State initial, double tolerance, do
     const auto angle = split_turns(initial.theta);
     run.step.start = {is_legal ? angle.theta : nan, is_legal ? initial.omega : nan, angle.turns};
     run.step.t = t;
-    auto first = step_of(run);
-    expand(run, first);
+    expand(run);
     return run;
 }
 
 void step(Taylor& run) noexcept {
-    auto next = step_of(run);
-    kernels::go_to_end(next);
-    expand(run, next);
+    kernels::go_to_end(run.step);
+    expand(run);
 }
 
-bool reaches(const Taylor& run, double t) noexcept { return !kernels::ends_before(step_of(run), t); }
+bool reaches(const Taylor& run, double t) noexcept { return !kernels::ends_before(run.step, t); }
 
 Sample at(const Taylor& run, double t) noexcept {
-    const auto m = kernels::motion_at(step_of(run), (t - run.step.t) - run.step.t_lo);
+    const auto m = kernels::motion_at(run.step, (t - run.step.t) - run.step.t_lo);
     return {t, m.theta, m.omega, m.turns};
 }
 

@@ -173,7 +173,7 @@ def test_the_program_is_never_one_of_the_current_directory(monkeypatch, tmp_path
     (tmp_path / "pendula").write_text("#!/bin/sh\n")
     (tmp_path / "pendula").chmod(0o755)
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr(_command.sysconfig, "get_path", lambda *_: "/nowhere")
+    monkeypatch.setattr("sysconfig.get_path", lambda *_: "/nowhere")
     monkeypatch.setenv("PATH", entries)
     with pytest.raises(RefusedError, match="neither among this Python's scripts nor on PATH") as refused:
         _command.path()

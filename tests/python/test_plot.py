@@ -201,7 +201,7 @@ def test_figures_make_their_own_axes(oscillation):
 def test_an_animation_has_a_frame_a_row_with_the_bob_where_the_pendulum_is(tmp_path):
     solution = pendula.solve(3.0, 0.0, until=1.0, every=0.25)
     film = pendula.plot.animate(solution)
-    *_, bob, state, clock = film._func(2)
+    *_, bob, state, clock = film._func(2)  # type: ignore[attr-defined]
     assert np.allclose([*bob.get_data()], [[np.sin(solution.theta[2])], [-np.cos(solution.theta[2])]])
     assert np.array_equal([*state.get_data()], [[solution.theta[2]], [solution.omega[2]]])
     assert clock.get_text() == "$t$ = 0.50 s"
@@ -243,7 +243,7 @@ def test_without_matplotlib_the_message_names_the_extra():
 
 
 def test_all_names_of_plot_leave_those_of_python_alone():
-    names = {}
+    names: dict[str, object] = {}
     exec("from pendula.plot import *", names)
     assert {"animate", "bifurcation", "phase_portrait", "section", "time_series"} == names.keys() - {"__builtins__"}
     assert pendula.plot.map is not map

@@ -15,7 +15,7 @@ State initial_state_of(const Ensemble& ensemble, std::size_t member) noexcept {
     return {ensemble.theta[member], ensemble.omega[member]};
 }
 
-Refusal check(const Pendulum& pendulum) noexcept { return check(pendulum, {}); }
+Refusal check(const Pendulum& pendulum) noexcept { return check(pendulum, State{}); }
 
 Refusal check(const Pendulum& pendulum, State initial) noexcept {
     Pendulum p = pendulum;

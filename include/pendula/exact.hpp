@@ -26,17 +26,25 @@ struct Exact {
     double angle_den[4] = {};  ///< of B
     double speed_num[4] = {};  ///< of C [s^-1]
     double speed_den[4] = {};  ///< of D
-    double latest = 0;         ///< see `latest_time`
+    double latest = 0;         ///< `latest_time` [s]
 };
 
 /// Prepares the closed form. Same domain as `analyze`; NaN throughout outside it.
 Exact make_exact(double alpha, State initial) noexcept;
 
-/// The largest |t| [s] at which `at` and `sinusoid` have an answer.
+/// The latest time [s] of either sign that `at` and `sinusoid` serve; beyond it they give NaN. 2^52 tau, where a double no
+/// longer counts half periods; near the separatrix less, where the period is not known well enough to tell the phase to 2^-41
+/// of a period, but never less than 2^20 tau. On the separatrix, which has no period, the largest double.
 double latest_time(const Exact& solution) noexcept;
 
-/// The state at time t [s], any finite t of either sign; |t|/tau up to 2^52 has a meaning.
-/// theta within 1e-14 rad (mod 2 pi) and omega within 1e-14 of its maximum for |t| <= 30 tau, 1e-13 to 1e6 tau.
+/// The state at time t [s], |t| <= latest_time.
+///
+/// theta [rad, mod 2 pi] and omega [in units of its maximum] are within
+///     1e-14 for |t| <= 30 tau,
+///     1e-13 to 1e6 tau for |kappa'| >= 1e-12, and 1e-25/|kappa'| nearer to the separatrix,
+///     1e-13 to latest_time where |kappa'| >= cos^2(theta/2)/10, as for all that start at rest; otherwise 1e-9.
+/// On the separatrix omega decays to 0 with zeta = asinh(tan(theta/2)) +- sqrt(alpha) t, and its error, relative to itself, is
+/// below (4 + 3 |zeta| + 6 |zeta(0)|) 2^-53. A start within 1e-6 of the top can double the first bound there.
 Sample at(const Exact& solution, double t) noexcept;
 
 /// `at` for n times, with the same bits, by the widest registers of this processor: t [s] in; theta in [-pi, pi) [rad],

@@ -73,9 +73,9 @@ void set_rate(Exact& e, Number rate, double unit) noexcept {
 }
 
 /// The rate's relative error is at most 2^-103 (1 + x) with x = alpha cos^2(theta/2)/(|gap| 2K), as measured against ball
-/// arithmetic: near the separatrix the gap is a difference of nearly equal numbers. The rounding of rate t included, the phase is
-/// off by 2^-102 (1 + x) t/tau periods at most. The latest time is where that is 2^-41, but at least `ordinary_periods`, and at
-/// most 2^52 periods: a double counts no more half periods.
+/// arithmetic: near the separatrix the gap is a difference of nearly equal numbers. The rounding of rate t included, the phase
+/// is off by 2^-102 (1 + x) t/tau periods at most. The latest time is where that is 2^-41, but at least `ordinary_periods`, and
+/// at most 2^52 periods: a double counts no more half periods.
 void set_latest(Exact& e, const EnergyBalance& b) noexcept {
     const double cosine = b.cosine.hi;
     // 2K is sqrt(alpha) tau/2 for an oscillation, and more than that for a rotation.
@@ -162,8 +162,9 @@ Exact make_exact(double alpha, State initial) noexcept {
 
 double latest_time(const Exact& solution) noexcept { return solution.latest; }
 
-Sample at(const Exact& solution, double t) noexcept {
-    const auto s = kernels::closed_form(solution, t);
+Sample at(const Exact& e, double t) noexcept {
+    const bool is_late = abs(t) > kernels::ordinary_time(e);
+    const auto s = is_late ? kernels::late_closed_form(e, t) : kernels::closed_form(e, t);
     return {t, s.theta, s.omega, s.turns};
 }
 
@@ -175,7 +176,9 @@ double sinusoid(const Exact& e, double t) noexcept {
     if (e.analysis.regime != Regime::oscillation) return __builtin_nan("");
     const double amplitude = e.analysis.theta_max;
     if (amplitude == 0) return 0;
-    const auto p = kernels::late_phase(e, 0.0, t);
+    const bool is_late = abs(t) > kernels::ordinary_time(e);
+    const auto rate = kernels::to_rate(Number{e.rate_hi, e.rate_lo});
+    const auto p = is_late ? kernels::late_phase(e, 0.0, t) : kernels::phase_at(t, rate, 0.0);
     const double start = pendula::phase(wrap(e.initial.theta) / amplitude, e.initial.omega);
     return amplitude * kernels::alternate(sin(pi * p.fraction + start), p.whole);
 }

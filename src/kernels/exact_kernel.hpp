@@ -64,46 +64,10 @@ struct HalfTangent {
     T omega;
 };
 
-/// Up to so many tau `phase_at` is right to 2^-58, and no latest time is earlier.
-inline constexpr double ordinary_periods = 0x1p20;
-
-/// The times that `ordinary_phase` does not serve.
-template <class T>
-inline Mask<T> is_late(const Exact& e, T t) {
-    return abs(t) > ordinary_periods * e.analysis.tau;
-}
-
-/// start + rate t of an oscillation or a rotation.
-template <class T>
-inline Phase<T> ordinary_phase(const Exact& e, T start, T t) {
-    return phase_at(t, to_rate<T>({splat<T>(e.rate_hi), splat<T>(e.rate_lo)}), start);
-}
-
-/// The same at any time; NaN beyond the latest. Not inlined, so that it takes no registers from ordinary times.
-template <class T>
-[[gnu::noinline]] Phase<T> late_phase(const Exact& e, const T& start, const T& t) {
-    const auto ordinary = ordinary_phase(e, start, t);
-    const auto late = late_phase_at<T>(t, {splat<T>(e.rate_hi), splat<T>(e.rate_lo)}, start);
-    // Turns count all whole numbers; the sign of an oscillation asks only for even or odd.
-    const T whole = e.analysis.regime == Regime::rotation ? late.fours + late.whole : late.whole;
-    const T fraction = select(abs(t) <= e.latest, late.fraction, splat<T>(__builtin_nan("")));
-    return {select(is_late(e, t), whole, ordinary.whole), select(is_late(e, t), fraction, ordinary.fraction)};
-}
-
-/// The argument of sinh and cosh on the separatrix; NaN at infinite times.
-template <class T>
-inline T separatrix_argument(const Exact& e, T t) {
-    const T leading = t * e.rate_hi;
-    // From 2^20 on, where t rate_lo changes nothing, it may overflow.
-    const T zeta = e.phase + select(abs(leading) < 0x1p20, leading + t * e.rate_lo, leading);
-    return select(abs(t) <= e.latest, zeta, splat<T>(__builtin_nan("")));
-}
-
 template <class T>
 inline Phase<T> phase_of(const Exact& e, T t) {
-    if (e.analysis.regime == Regime::separatrix) return {T{}, separatrix_argument(e, t)};
-    const T start = splat<T>(e.phase);
-    return any<T>(is_late(e, t)) ? late_phase(e, start, t) : ordinary_phase(e, start, t);
+    if (e.analysis.regime == Regime::separatrix) return {T{}, e.phase + (t * e.rate_hi + t * e.rate_lo)};
+    return phase_at(t, to_rate<T>({splat<T>(e.rate_hi), splat<T>(e.rate_lo)}), splat<T>(e.phase));
 }
 
 template <class T>
@@ -147,24 +111,50 @@ inline Swing<T> state_of(const Exact& e, T whole, const HalfTangent<T>& h) {
     return swinging<T>(alternate(theta, whole), alternate(h.omega, whole), splat<T>(e.turns));
 }
 
-/// Beyond `far_argument` 1/cosh(zeta) is 2 exp(-|zeta|) to the last bit. The root of the exponential is a normal number wherever
-/// omega is not 0. By itself and lane by lane, so that it takes no room from what comes before.
-template <class T>
-[[gnu::noinline]] void set_omega_of_tail(const Exact& e, const T& zeta, T& omega) {
-    for (int i = 0; i < lanes<T>; ++i) {
-        if (!(abs(lane(zeta, i)) > far_argument)) continue;
-        const double root = exp(-0.5 * abs(lane(zeta, i)));
-        lane(omega, i) = (2 * e.speed_num[0] * root) * root;
-    }
-}
-
+/// The state at |t| <= ordinary_time(e).
 template <class T>
 inline Swing<T> closed_form(const Exact& e, T t) {
     const auto p = phase_of(e, t);
-    auto half = half_tangent(e, p.fraction);
-    if (e.analysis.regime == Regime::separatrix && any<T>(abs(p.fraction) > far_argument))
-        set_omega_of_tail(e, p.fraction, half.omega);
-    return state_of(e, p.whole, half);
+    return state_of(e, p.whole, half_tangent(e, p.fraction));
+}
+
+/// Up to so many tau `phase_at` is right to 2^-58, and no latest time is earlier.
+inline constexpr double ordinary_periods = 0x1p20;
+
+/// The largest |t| [s] that `closed_form` serves; later times, which are rare, are left to `late_closed_form`.
+inline double ordinary_time(const Exact& e) {
+    if (e.analysis.regime == Regime::separatrix) return (far_argument - abs(e.phase)) / abs(e.rate_hi);
+    return ordinary_periods * e.analysis.tau;
+}
+
+/// The phase of an oscillation or a rotation; NaN beyond the latest time.
+inline Phase<double> late_phase(const Exact& e, double start, double t) {
+    const auto p = late_phase_at<double>(t, {e.rate_hi, e.rate_lo}, start);
+    // Turns count all whole numbers; the sign of an oscillation asks only for even or odd.
+    const double whole = e.analysis.regime == Regime::rotation ? p.fours + p.whole : p.whole;
+    return {whole, abs(t) <= e.latest ? p.fraction : __builtin_nan("")};
+}
+
+/// The state far along the separatrix; NaN at infinite times.
+inline Swing<double> far_along_separatrix(const Exact& e, double t) {
+    if (!(abs(t) <= e.latest)) return {__builtin_nan(""), __builtin_nan(""), e.turns};
+    const double leading = t * e.rate_hi;
+    // From 2^20 on t rate_lo changes nothing that counts, and it may overflow.
+    const double zeta = e.phase + (abs(leading) < 0x1p20 ? leading + t * e.rate_lo : leading);
+    auto half = half_tangent(e, zeta);
+    if (abs(zeta) > far_argument) {
+        // 1/cosh(zeta) is 2 exp(-|zeta|) to the last bit. The root of that is a normal number wherever omega is not 0.
+        const double root = exp(-0.5 * abs(zeta));
+        half.omega = (2 * e.speed_num[0] * root) * root;
+    }
+    return state_of(e, 0.0, half);
+}
+
+/// The state at a time beyond `ordinary_time`; NaN beyond the latest.
+inline Swing<double> late_closed_form(const Exact& e, double t) {
+    if (e.analysis.regime == Regime::separatrix) return far_along_separatrix(e, t);
+    const auto p = late_phase(e, e.phase, t);
+    return state_of(e, p.whole, half_tangent(e, p.fraction));
 }
 
 }  // namespace pendula::kernels::inline PENDULA_ISA

@@ -14,20 +14,44 @@ namespace {
 constexpr int width = 8;  // chunk_size is a multiple
 using T = Pack<width>;
 
+/// Computes the late samples again, by what serves them.
+void mend_late(const Exact& e, std::size_t n, const double* t, double* theta, double* omega, double* turns) {
+    const double ordinary = ordinary_time(e);
+    using Register = Pack<register_width>;  // two of them side by side would be kept in memory
+    Mask<Register> is_late{};
+    std::size_t i = 0;
+    for (; i + register_width <= n; i += register_width) {
+        Register time;
+        __builtin_memcpy(&time, t + i, sizeof time);
+        is_late = is_late | (abs(time) > ordinary);
+    }
+    bool is_any_late = any<Register>(is_late);
+    for (; i < n; ++i) is_any_late |= abs(t[i]) > ordinary;
+    if (!is_any_late) return;
+    for (i = 0; i < n; ++i) {
+        if (!(abs(t[i]) > ordinary)) continue;
+        const auto s = late_closed_form(e, t[i]);
+        theta[i] = s.theta;
+        omega[i] = s.omega;
+        turns[i] = s.turns;
+    }
+}
+
 void exact(const Exact& solution, std::size_t n, const double* t, double* theta, double* omega, double* turns) {
     const Exact e = solution;  // which no store can change
-    // Inlined, so that all packs but the last have a size that is known.
-    const auto pack = [&](std::size_t i, std::size_t bytes) __attribute__((always_inline)) {
+    // `bytes` is a constant for whole packs; else each load and store would be a call.
+    const auto sample = [&](std::size_t from, auto bytes) {
         T time{};
-        __builtin_memcpy(&time, t + i, bytes);
+        __builtin_memcpy(&time, t + from, bytes());
         const auto s = closed_form(e, time);
-        __builtin_memcpy(theta + i, &s.theta, bytes);
-        __builtin_memcpy(omega + i, &s.omega, bytes);
-        __builtin_memcpy(turns + i, &s.turns, bytes);
+        __builtin_memcpy(theta + from, &s.theta, bytes());
+        __builtin_memcpy(omega + from, &s.omega, bytes());
+        __builtin_memcpy(turns + from, &s.turns, bytes());
     };
     std::size_t i = 0;
-    for (; i + width <= n; i += width) pack(i, sizeof(T));
-    if (i < n) pack(i, (n - i) * sizeof(double));  // the tail runs the same operations on a padded pack
+    for (; i + width <= n; i += width) sample(i, [] { return sizeof(T); });
+    if (i < n) sample(i, [&] { return (n - i) * sizeof(double); });  // the tail runs the same operations on a padded pack
+    mend_late(e, n, t, theta, omega, turns);
 }
 
 template <bool has_tangent>
@@ -39,7 +63,8 @@ void rk4(Chunk& c, const Row& row_time, const Row& h, double first, int steps) {
         auto tangent = load<T, Tangent>(c.tangent, i);
         for (int done = 0; done < steps; done += block_steps) {
             const int left = steps - done;
-            rk4_block<has_tangent>(k, two_sum(start, (first + done) * k.h), x, tangent, left < block_steps ? left : block_steps);
+            rk4_block<has_tangent>(k, two_sum(start, (first + done) * k.h), x, tangent,
+                                   left < block_steps ? left : block_steps);
         }
         store<T, Motion>(c.motion, i, x);
         if constexpr (has_tangent) store<T, Tangent>(c.tangent, i, tangent);

@@ -55,8 +55,8 @@ struct LatePhase {
 };
 
 /// start + t rate for |start| <= 1 and |t rate| <= 2^53. Both factors are cut in two, and each of the three larger products is
-/// exact and leaves its whole part before the sum. So the error of the fraction is at most 2^-103 |t rate|, beside a rounding of
-/// the fraction itself.
+/// exact and leaves its whole part before the sum. So the error of the fraction is at most 2^-103 |t rate|, beside a rounding
+/// of the fraction itself.
 template <class T>
 inline LatePhase<T> late_phase_at(T t, DoubleDouble<T> rate, T start) {
     constexpr double rounder_to_fours = 4 * rounder;

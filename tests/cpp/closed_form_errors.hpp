@@ -58,8 +58,8 @@ inline Relative error_at(const Case& c, const pendula::Exact& solution, const In
     return {theta_error(s, instant) / c.scale(), error(s.omega, instant.omega) / c.largest_omega()};
 }
 
-/// What the header of `exact` states for omega on the separatrix, where it decays as exp(-|zeta|): the roundings of zeta are
-/// those of the start, a product and two sums. A denormal result has its own last place, and a few roundings, besides.
+/// The error that `at` states for omega on the separatrix. It decays as exp(-|zeta|), so that an error of zeta is a relative
+/// error of omega. A denormal omega is rounded to whole units of 2^-1074 besides.
 inline double stated_tail_error(const Case& c, const Instant& i) {
     const double sense = c.initial.omega < 0 ? -1 : 1;
     const double start = std::asinh(std::tan(c.initial.theta / 2));

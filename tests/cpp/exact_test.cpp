@@ -60,7 +60,8 @@ TEST(Exact, IsWithin1em13To2To52TauAwayFromTheSeparatrix) {
     });
 }
 
-// A phase off by 2^-41 of a period moves the angle by at most 8K 2^-41, K < 20; below 2^20 tau it may be off by 2^-38.
+// A phase that is off by 2^-41 of a period moves the angle by at most 8K 2^-41 = 7e-11, since K < 20. Where the latest time is
+// 2^20 tau it may be off by 2^-102 2^20 (1 + x) periods with x < 2^47.2, which is some 1e-9.
 TEST(Exact, IsWithin1em9ToItsLatestTimeNearTheSeparatrix) {
     for_each_late("near", [](const auto& c, const auto& solution, const auto& i) {
         EXPECT_LE(error_at(c, solution, i).largest(), 1e-9) << name(c, i.t);

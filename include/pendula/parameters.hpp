@@ -38,7 +38,7 @@ class Column {
     constexpr bool fits(std::size_t size) const noexcept {
         return !is_span_ || size == 0 || (of_each_.data() && (of_each_.size() == 1 || of_each_.size() == size));
     }
-    constexpr std::size_t length() const noexcept { return is_span_ ? of_each_.size() : 1; }
+    constexpr std::size_t length() const noexcept { return !is_span_ ? 1 : of_each_.data() ? of_each_.size() : 0; }
 
   private:
     double of_all_ = 0;

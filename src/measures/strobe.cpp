@@ -117,9 +117,7 @@ bool go_to_first_strobe(StrobedMembers& m, const Way& way) noexcept {
 }
 
 bool go_to_next_strobe(StrobedMembers& m, const Way& way) noexcept {
-    if (!go(m, m.period, way)) return false;
-    way.thread.report(m.chunk.count);
-    return true;
+    return go(m, m.period, way);
 }
 
 }  // namespace pendula

@@ -55,12 +55,17 @@ Outcome observe(const MeasureCall& call, const Control& control) noexcept {
         StrobedMembers m;
         load_strobed(m, call.ensemble, chunk * kernels::chunk_size);
         if (!go_to_first_strobe(m, way)) return;
+        const auto go_on = [&] {
+            if (!go_to_next_strobe(m, way)) return false;
+            thread.report(m.chunk.count);
+            return true;
+        };
         for (double done = 0; done < strobe.transient; ++done)
-            if (!go_to_next_strobe(m, way)) return;
+            if (!go_on()) return;
         Observer observer(call);
         double done = 0;
         for (bool goes_on = observer.start(m); goes_on && done < strobe.periods;) {
-            if (!go_to_next_strobe(m, way)) return;
+            if (!go_on()) return;
             goes_on = observer.at_strobe(m, ++done);
         }
         thread.report(m.chunk.count * (strobe.periods - done));

@@ -179,19 +179,22 @@ Outcome measured_period(const Pendulum& pendulum, State initial, double until, d
     constexpr double steps_between_looks = 256;
     auto search = make_crossings(pendulum, initial, Crossed::theta, tolerance);
     Crossing first, next;
+    constexpr int crossings_between_looks = 64;  // some steps each
     double crossings = 0, periods = 0, last = 0;
-    for (;;) {
+    for (int until_look = crossings_between_looks;;) {
         if (next_crossing(search, until, next, steps_between_looks)) {
             if (++crossings == 1) first = next;
-            if (crossings == 1 || next.is_rising != first.is_rising) continue;
-            ++periods;
-            last = next.sample.t;
+            if (crossings > 1 && next.is_rising == first.is_rising) {
+                ++periods;
+                last = next.sample.t;
+            }
+            if (--until_look > 0) continue;
         } else if (reaches(search.run, until)) {
             period = periods > 0 ? (last - first.sample.t) / periods : __builtin_nan("");
             return {};
-        } else if (!control.proceed(search.run.step.t / until)) {
-            return Outcome::Kind::stopped;
         }
+        until_look = crossings_between_looks;
+        if (!control.proceed(search.run.step.t / until)) return Outcome::Kind::stopped;
     }
 }
 

@@ -1,5 +1,5 @@
-// Compiled once for each instruction set, with PENDULA_ISA its name. No std:: templates here: the linker may keep the copy of
-// any unit for all.
+// This file is compiled once for each instruction set; PENDULA_ISA is its name. It uses no templates of std::, because the
+// linker may keep one copy of such a template, with the instructions of any of these units, for the whole library.
 #include "kernels/dispatch.hpp"
 #include "kernels/exact_kernel.hpp"
 #include "kernels/packs.hpp"
@@ -11,12 +11,12 @@
 namespace pendula::kernels::inline PENDULA_ISA {
 namespace {
 
-constexpr int width = 8;  // chunk_size is a multiple
+constexpr int width = 8;  // a divisor of chunk_size
 using T = Pack<width>;
 
 void exact(const Exact& solution, std::size_t n, const double* t, double* theta, double* omega, double* turns) {
-    const Exact e = solution;  // which no store can change
-    // Inlined, so that all packs but the last have a size that is known.
+    const Exact e = solution;  // a copy, which the stores below cannot change
+    // Inlined, so that the number of bytes is a constant for every pack but the last.
     const auto pack = [&](std::size_t i, std::size_t bytes) __attribute__((always_inline)) {
         T time{};
         __builtin_memcpy(&time, t + i, bytes);
@@ -39,7 +39,8 @@ void rk4(Chunk& c, const Row& row_time, const Row& h, double first, int steps) {
         auto tangent = load<T, Tangent>(c.tangent, i);
         for (int done = 0; done < steps; done += block_steps) {
             const int left = steps - done;
-            rk4_block<has_tangent>(k, two_sum(start, (first + done) * k.h), x, tangent, left < block_steps ? left : block_steps);
+            rk4_block<has_tangent>(k, two_sum(start, (first + done) * k.h), x, tangent,
+                                   left < block_steps ? left : block_steps);
         }
         store<T, Motion>(c.motion, i, x);
         if constexpr (has_tangent) store<T, Tangent>(c.tangent, i, tangent);
@@ -48,7 +49,7 @@ void rk4(Chunk& c, const Row& row_time, const Row& h, double first, int steps) {
 
 }  // namespace
 
-// In taylor_kernels.cpp.
+// Defined in taylor_kernels.cpp.
 bool taylor(Chunk& chunk, TaylorChunk& steps, const Row& t, int most);
 bool taylor_tangent(Chunk& chunk, TaylorChunk& steps, const Row& t, int most);
 

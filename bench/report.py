@@ -1,10 +1,10 @@
-"""Runs every case beside its peers, in rounds, and writes docs/benchmarks.md.
+"""Runs every case and its peers, in rounds, and writes docs/benchmarks.md.
 
     python bench/report.py BUILD OUT [--rounds N]
 
-A round runs each case once: pendula_bench, which holds pendula's cases and the peers in C++, then the peers in Python, then whole
-programs. What is reported is the least of all rounds, in processor time (wall time for programs and threads).
-Modules of peers give `cases()`: name "case/peer", a call, and how many items it does.
+A round runs each case once: first pendula_bench, with the cases of pendula and the peers in C++, then the peers in Python, then
+whole programs. The result is the smallest time of all rounds: processor time, or wall time for programs and threads.
+A module of peers has `cases()`, which yields a name "case/peer", a call, and the number of items that a call computes.
 """
 
 import argparse
@@ -24,7 +24,7 @@ PEERS = ("peers", "peers_taylor", "python_bench")
 
 
 def importable(names):
-    """Modules of peers that are there, with all that they need."""
+    """Yields the modules of peers that can be imported."""
     for name in names:
         try:
             yield importlib.import_module(name)
@@ -33,7 +33,7 @@ def importable(names):
 
 
 def native_round(build, least, facts):
-    """One pass over pendula_bench: nanoseconds per item, and what else its cases state."""
+    """Runs pendula_bench once: yields nanoseconds per item, and stores the other values that its cases report in `facts`."""
     done = subprocess.run(
         [build / "bench/pendula_bench", "--benchmark_format=json", f"--benchmark_min_time={least}"],
         check=True,
@@ -49,7 +49,7 @@ def native_round(build, least, facts):
 
 
 def python_round(cases, least):
-    """As often as fills `least` seconds; the least of them."""
+    """Runs each case repeatedly for `least` seconds, and yields the smallest time per item."""
     for name, call, items in cases:
         start, best = time.thread_time(), float("inf")
         while best == float("inf") or time.thread_time() - start < least:
@@ -61,7 +61,7 @@ def python_round(cases, least):
 
 def program_round(cases, repetitions):
     for name, call in cases:
-        often = 1 if name == "program_3.2/student" else repetitions  # it takes its time
+        often = 1 if name == "program_3.2/student" else repetitions  # takes seconds
         yield name, 1e9 * min(call() for _ in range(often))
 
 

@@ -1,4 +1,4 @@
-"""The tables of docs/benchmarks.md: which cases stand together, and what they are to reach."""
+"""The tables of docs/benchmarks.md: the cases of each table, and the goals for their ratios."""
 
 from dataclasses import dataclass, field
 
@@ -9,9 +9,9 @@ class Table:
     note: str
     unit: str
     scale: float  # nanoseconds in the unit
-    peers: dict  # name in the cases: name on the page
-    rows: dict  # case: what it is
-    asked: dict = field(default_factory=dict)  # (case, peer): least ratio
+    peers: dict  # peer in the names of cases: its name on the page
+    rows: dict  # case: its description
+    asked: dict = field(default_factory=dict)  # (case, peer): goal for the ratio
 
 
 TABLES = [
@@ -163,7 +163,7 @@ def ratio_table(table, best, facts):
 
 
 def limit(best, operations):
-    """The least time of so many multiplications and additions, by what the pipes did in the same run."""
+    """The smallest time for these numbers of multiplications and additions, by the throughput measured in the same run."""
     products, sums = operations["multiplications"], operations["additions"]
     return max(products * best["pipes/multiplications"], sums * best["pipes/additions"], (products + sums) * best["pipes/both"])
 

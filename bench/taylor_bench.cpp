@@ -1,5 +1,5 @@
-// Taylor's method at a tolerance of 1e-15, one trajectory and ensembles; its peer, heyoka, is in peers_taylor.py. An item is a
-// unit of time of one trajectory.
+// Benchmarks of Taylor's method at a tolerance of 1e-15, for one trajectory and for ensembles. The peer, heyoka, is in
+// peers_taylor.py. An item is a unit of time of one trajectory.
 #include <benchmark/benchmark.h>
 
 #include <bit>
@@ -26,14 +26,12 @@ struct Run {
 constexpr Run runs[] = {{"undamped", {}},
                         {"driven", {.alpha = 1, .beta = 0.5, .drive_amplitude = 1.15, .drive_frequency = 2.0 / 3}}};
 
-/// What a unit of time needs at least: a step's multiplications and additions over its length.
+/// The multiplications and additions that a unit of time needs: those of a step divided by its length.
 void count_operations(benchmark::State& state, const Run& run) {
     using bench::Counted;
     const auto d = kernels::taylor_pendulum(std::bit_cast<kernels::Parameters<double>>(run.pendulum));
-    const kernels::TaylorPendulum<Counted> k{bench::counted_parameters(run.pendulum),
-                                             {d.turn_rate.hi, d.turn_rate.lo},
-                                             {d.turn_start.hi, d.turn_start.lo},
-                                             d.rate};
+    const kernels::TaylorPendulum<Counted> k{
+        bench::counted_parameters(run.pendulum), {d.turn_rate.hi, d.turn_rate.lo}, {d.turn_start.hi, d.turn_start.lo}, d.rate};
     const auto reach = kernels::taylor_reach(tolerance);
     kernels::TaylorStep<Counted> step{};
     kernels::Series<Counted> cosine{};
@@ -44,7 +42,7 @@ void count_operations(benchmark::State& state, const Run& run) {
     expand(k, reach, step, cosine);
     go_to_end(step);
     const auto done = bench::operations_behind({step.start.theta, step.start.omega, step.start.theta_lo, step.start.omega_lo});
-    // The mean length, of a whole run.
+    // The length of a step is the mean over a whole run.
     auto trajectory = make_taylor(run.pendulum, {released, 0}, tolerance);
     double steps = 0;
     for (; !reaches(trajectory, span); ++steps) pendula::step(trajectory);
@@ -52,7 +50,7 @@ void count_operations(benchmark::State& state, const Run& run) {
     state.counters["additions"] = done.additions * steps / span;
 }
 
-/// The largest error over the driven pendulums of known solution, up to t = 50.
+/// The largest error over the driven pendulums of the reference table, up to t = 50.
 double largest_error() {
     reference::Largest largest;
     Taylor run;

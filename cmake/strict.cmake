@@ -1,6 +1,6 @@
-# Results follow IEEE 754, and so does what reads and prints them. A user's flags stand before these, which take back -ffast-math
-# and all that it is made of. When linking it would add code that has the processor flush subnormal numbers: -Ofast does so
-# whatever follows it, and is refused. src/arithmetic/strict.hpp refuses what a compiler's macros tell.
+# Results follow IEEE 754, and so must the code that reads and prints numbers. These options follow those of the user and
+# override -ffast-math and the options that it implies. At link time -Ofast adds start-up code that flushes denormal numbers to
+# zero, which no later option prevents: it is refused. src/arithmetic/strict.hpp refuses flags that set a macro of the compiler.
 add_compile_options(-fno-fast-math)
 add_link_options(-fno-fast-math -fno-unsafe-math-optimizations)
 

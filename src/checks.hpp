@@ -1,26 +1,26 @@
-// Parts of the checks that several calls make.
+// Checks that several calls share. Each returns a refusal, which is empty if the argument is legal.
 #pragma once
 
 #include "pendula/solve.hpp"
 
 namespace pendula {
 
-/// Whether a count is a whole number from `least` to `most`.
+/// Refuses a count that is not a whole number from `least` to `most`.
 constexpr Refusal check_count(const char* name, double x, double least, double most = 0x1p53) noexcept {
     if (x >= least && x <= most && x == static_cast<double>(static_cast<long long>(x))) return {};
     return {.reason = Refusal::Reason::whole, .name = name, .value = x, .least = least, .most = most};
 }
 
-/// Whether a number lies in an interval.
+/// Refuses a number outside the interval of the rule.
 constexpr Refusal check_rule(const char* name, double x, Rule rule) noexcept {
     if (satisfies(rule, x)) return {};
     return {.reason = Refusal::Reason::interval, .name = name, .value = x, .rule = rule};
 }
 
-/// The first column whose length does not fit.
+/// Refuses the first column whose length is not that of the ensemble.
 Refusal check_columns(const Ensemble& ensemble) noexcept;
 
-/// The first member that is not legal, or that `more` refuses.
+/// Refuses the first member with an illegal parameter, or that the function `more` refuses.
 template <class More>
 Refusal check_each(const Ensemble& ensemble, const More& more) noexcept {
     for (std::size_t member = 0; member < ensemble.size; ++member) {
@@ -35,11 +35,12 @@ Refusal check_each(const Ensemble& ensemble, const More& more) noexcept {
     return {};
 }
 
-/// Whether a pendulum can be solved by the method.
+/// Refuses a method that cannot solve the pendulum, and an illegal tolerance.
 Refusal check(const Pendulum& pendulum, Method method, double tolerance) noexcept;
 
-/// Whether equal steps over a length of time [s] are short enough for friction: beta h <= 2 by euler, beta h <= 2.78 by rk4 (the
-/// bounds of their stability regions on the negative axis; Hairer & Wanner II, IV.2). `name`: of the argument that counts them.
+/// Refuses steps that are too long for the friction: equal steps over a length of time [s] with beta h > 2 for euler or beta h
+/// > 2.78 for rk4, the bounds of their stability regions on the negative real axis (Hairer & Wanner II, IV.2). `name` is the
+/// argument that gives the number of steps.
 Refusal check_stability(const Pendulum& pendulum, Method method, double length, double steps, const char* name) noexcept;
 
 }  // namespace pendula

@@ -1,4 +1,4 @@
-// What the program and the package's console scripts have in common: statuses, and the language of messages.
+// What the program and the console scripts of the Python package share: exit statuses, and the choice of the language.
 #pragma once
 
 #include <span>
@@ -8,11 +8,11 @@
 
 namespace pendula {
 
-/// How a program ends.
+/// The exit statuses.
 enum class Status : int { done = 0, bad_data = 1, bad_usage = 2, not_written = 3, interrupted = 130 };
 
-/// The language of `--lang`, wherever it stands among the arguments; else that of LC_ALL, LC_MESSAGES or LANG, the first that is
-/// set and not empty: Spanish if it begins with "es".
+/// The language given by `--lang`, at any place among the arguments. Without that option: Spanish if the first of LC_ALL,
+/// LC_MESSAGES and LANG that is set and not empty begins with "es", otherwise English.
 Language language_of(std::span<const std::string_view> arguments);
 
 }  // namespace pendula

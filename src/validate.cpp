@@ -29,7 +29,7 @@ std::string shortest(double value) {
     return {digits, std::to_chars(digits, digits + sizeof digits, value).ptr};
 }
 
-/// {n} name, {v} value, {l} least, {m} most, {w} legal words, {r} the rule's interval.
+/// Places of the pattern: {n} name, {v} value, {l} least, {m} most, {w} legal words, {r} the interval of the rule.
 Words pattern_of(Refusal::Reason reason) {
     using enum Refusal::Reason;
     switch (reason) {
@@ -52,8 +52,10 @@ Words pattern_of(Refusal::Reason reason) {
             return {"{n} must be at least {l}, or the method is unstable, got {v}; or use method taylor",
                     "{n} debe ser al menos {l}, o el método es inestable, y es {v}; o usa el método taylor"};
         case too_many_rows:
-            return {"there would be {v} rows, more than 2^53 = 9007199254740992; leave more time between them or make the run shorter",
-                    "habría {v} filas, más de 2^53 = 9007199254740992; deja más tiempo entre ellas o acorta la simulación"};
+            return {
+                "there would be {v} rows, more than 2^53 = 9007199254740992; leave more time between them or make the run "
+                "shorter",
+                "habría {v} filas, más de 2^53 = 9007199254740992; deja más tiempo entre ellas o acorta la simulación"};
         case too_many_steps:
             return {"it would take {v} steps, more than 2^53 = 9007199254740992; make them longer or the run shorter",
                     "daría {v} pasos, más de 2^53 = 9007199254740992; alárgalos o acorta la simulación"};
@@ -64,7 +66,8 @@ Words pattern_of(Refusal::Reason reason) {
                     "la solución exacta es correcta hasta t = {m} s, no en {v} s"};
         case instruction_set:
             return {"PENDULA_ISA must be one of the instruction sets of this processor (baseline, avx2, avx512), or not be set",
-                    "PENDULA_ISA debe ser uno de los juegos de instrucciones de este procesador (baseline, avx2, avx512), o no estar"};
+                    "PENDULA_ISA debe ser uno de los juegos de instrucciones de este procesador (baseline, avx2, avx512), o no "
+                    "estar"};
         case memory:
             return {"there is not enough memory", "no hay memoria suficiente"};
     }
@@ -91,8 +94,7 @@ std::string describe(const Refusal& refusal, Language language, const std::strin
                                : say(legal_of(refusal.rule));
         i += 2;
     }
-    if (refusal.member != Refusal::no_member)
-        text += say({" (member ", " (miembro "}) + std::to_string(refusal.member) + ')';
+    if (refusal.member != Refusal::no_member) text += say({" (member ", " (miembro "}) + std::to_string(refusal.member) + ')';
     return text;
 }
 
@@ -108,7 +110,8 @@ bool require(const Outcome& outcome) {
 std::vector<Sample> solve(const Problem& problem) {
     Trajectory run = begin(problem);
     require(run.refusal);
-    if (problem.schedule.rows > static_cast<double>(std::numeric_limits<std::ptrdiff_t>::max()) / sizeof(Sample)) throw std::bad_alloc();
+    if (problem.schedule.rows > static_cast<double>(std::numeric_limits<std::ptrdiff_t>::max()) / sizeof(Sample))
+        throw std::bad_alloc();
     std::vector<Sample> rows(static_cast<std::size_t>(problem.schedule.rows));
     constexpr double no_limit = std::numeric_limits<double>::infinity();
     for (std::size_t done = 0; done < rows.size();) done += advance(run, std::span(rows).subspan(done), no_limit);

@@ -2,9 +2,9 @@
 
     python tools/make_coefficients.py > src/arithmetic/coefficients.hpp     (needs mpmath)
 
-A polynomial is the Chebyshev expansion, within a factor 2 of the best one, of the smooth factor named beside it, on the
-interval of the reduced argument with a small margin; its largest error is printed beside it, relative to the function it
-is part of.
+A polynomial is a Chebyshev expansion, whose error is within a factor 2 of that of the best polynomial. The comment before it
+names the smooth function that it approximates, the interval of the reduced argument (a small margin is added), and the
+largest error, relative to the elementary function of which the polynomial is a part.
 """
 
 from mpmath import atan, chebyfit, cos, exp, factorial, log, mp, mpf, pi, polyval, sin, sqrt
@@ -17,7 +17,7 @@ def double(x):
 
 
 def parts(x, bits):
-    """x as doubles of the given numbers of bits, largest first; the last is a full double."""
+    """x as a sum of doubles with the given numbers of bits, largest first. The last one is a full double."""
     out = []
     for b in bits:
         scale = mpf(2) ** (b - 1 - int(mp.floor(mp.log(abs(x), 2))))
@@ -36,7 +36,7 @@ def array(name, values, comment):
 
 
 def polynomial(name, what, f, interval, terms, weight=lambda _: 1):
-    """Coefficients of f, constant first; the error is that of the rounded coefficients, times weight."""
+    """Prints the coefficients of f, constant first, and the error of the polynomial with rounded coefficients, times weight."""
     coefficients = [double(c) for c in reversed(chebyfit(f, interval, terms))]
     a, b = interval
     points = [a + (b - a) * mpf(i) / 400 for i in range(1, 400)]
@@ -45,7 +45,7 @@ def polynomial(name, what, f, interval, terms, weight=lambda _: 1):
 
 
 def around_zero(f, series):
-    """f, by its Taylor series where its formula would cancel."""
+    """The function f, by its Taylor series near zero, where the formula of f suffers from cancellation."""
     return lambda u: series(u) if abs(u) < mpf("1e-6") else f(u)
 
 

@@ -1,10 +1,10 @@
 """Makes tests/data/driven.txt and pivot.txt: the forced pendulum by its Taylor series in 75 digits.
 
-pivot.txt has a shaken pivot as well, and how a small displacement grows.
+pivot.txt also has a shaken pivot, and the growth of a small displacement.
 
     python tools/make_driven.py driven > tests/data/driven.txt     (needs python-flint; minutes)
     python tools/make_driven.py pivot > tests/data/pivot.txt
-    python tools/make_driven.py pivot check     (every step halved, order 80 for 60, 90 digits: the same text)
+    python tools/make_driven.py pivot check     (half the step, order 80 instead of 60, 90 digits: gives the same text)
 
 Numbers are fixed-point integers in units of 2^-BITS.
 """
@@ -19,22 +19,22 @@ from reference_table import pair, text
 CHECK = sys.argv[2:] == ["check"]
 BITS = 300 if CHECK else 250
 ORDER = 80 if CHECK else 60
-STEPS_PER_UNIT = 4 if CHECK else 2  # of 1/rate; the series converges some way beyond that
+STEPS_PER_UNIT = 4 if CHECK else 2  # steps in a time of 1/rate; the radius of convergence is larger than 1/rate
 ctx.prec = BITS + 64
 
-# Of driven.txt: alpha, beta, torque, drive_amplitude, drive_frequency, drive_phase, theta, omega.
+# Problems of driven.txt: alpha, beta, torque, drive_amplitude, drive_frequency, drive_phase, theta, omega.
 BAKER = [(1.0, 0.5, 0.0, g, 2 / 3, 0.0, 0.2, 0.0) for g in (0.9, 1.07, 1.15, 1.35, 1.45, 1.47, 1.5)]
 REGULAR = [
     (1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.5, 0.0),  # the pendulum of the assignment
     (1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1e-9, 0.0),
     (9.81, 0.0, 0.0, 0.0, 0.0, 0.0, -2.0, 8.0),
     (1.0, 0.25, 0.0, 0.0, 0.0, 0.0, 3.0, 0.5),
-    (1.0, 0.1, 1.2, 0.0, 0.0, 0.0, 0.0, 0.0),  # runs away until friction holds it
+    (1.0, 0.1, 1.2, 0.0, 0.0, 0.0, 0.0, 0.0),  # accelerates until friction balances the torque
     (1.0, 0.0, 0.3, 0.0, 0.0, 0.0, -1.0, 0.25),
     (2.0, 0.5, 0.5, 1.25, 3.0, 0.75, 0.5, -1.0),
     (0.25, 3.0, 0.1, 0.5, 1.0, -2.0, 0.1, 0.0),  # overdamped
     (1.0, 0.2, 0.0, 20.0, 12.0, 1.0, 0.0, 1.0),  # driven fast
-    (1.0, 0.0, 0.0, 1e-6, 0.5, 0.0, 0.0, 0.0),  # from rest by a weak drive
+    (1.0, 0.0, 0.0, 1e-6, 0.5, 0.0, 0.0, 0.0),  # starts at rest, with a weak drive
 ]
 CHAOTIC = [
     (1.0, 0.25, 0.0, 1.5, 2 / 3, 0.5, 1.0, 0.0),
@@ -43,29 +43,29 @@ CHAOTIC = [
 ]
 TIMES = [0.125, 1.0, 7.5, 20.0, 35.0, 50.0]
 
-# Of pivot.txt: alpha, beta, torque, drive_amplitude, pivot_amplitude, drive_frequency, drive_phase, theta, omega.
+# Problems of pivot.txt: alpha, beta, torque, drive_amplitude, pivot_amplitude, drive_frequency, drive_phase, theta, omega.
 PIVOT_CASES = [
-    (1.0, 0.0, 0.0, 0.0, 30.0, 20.0, 0.0, 3.0, 0.0),  # about the upright state, which is stable above 28.3
+    (1.0, 0.0, 0.0, 0.0, 30.0, 20.0, 0.0, 3.0, 0.0),  # near the upright state, which is stable for pivot_amplitude > 28.3
     (1.0, 0.1, 0.0, 0.0, 40.0, 20.0, 0.5, 2.5, 0.0),
     (1.0, 0.0, 0.0, 0.0, -30.0, 20.0, 0.0, 3.1, 0.05),
     (1.0, 0.2, 0.0, 0.0, 170.0, 20.0, 1.0, 3.0, 0.0),
     (9.81, 0.05, 0.0, 0.0, 2000.0, 188.0, 0.0, 3.0, 0.1),
     (1.0, 0.0, 0.0, 0.0, 600.0, 60.0, 0.0, 2.0, 0.0),
-    (1.0, 0.0, 0.0, 0.0, 30.0, 20.0, 0.0, 0.5, 0.0),  # about the bottom
+    (1.0, 0.0, 0.0, 0.0, 30.0, 20.0, 0.0, 0.5, 0.0),  # near the bottom
     (1.0, 0.2, 0.0, 0.0, 25.0, 15.0, -2.0, 10.0, 0.0),  # theta not wrapped
     (1.0, 0.0, 0.0, 0.0, 0.5, 0.3, 0.0, 1.0, 0.0),  # slow
-    (1.0, 0.3, 0.0, 0.0, 5.0, 0.3, 0.0, 1.0, 0.0),  # slow, and gravity changes its sign
+    (1.0, 0.3, 0.0, 0.0, 5.0, 0.3, 0.0, 1.0, 0.0),  # slow; the effective gravity changes its sign
     (1.0, 0.05, 0.0, 0.0, 0.5, 2.0, 0.0, 0.01, 0.0),  # in the first tongue of Mathieu's equation
-    (1.0, 0.0, 0.0, 0.0, 0.2, 1.5, 0.25, 1e-9, 0.0),  # beside it
-    (1.0, 0.0, 0.0, 0.0, 0.5, 2.0, 0.0, 0.0, 0.0),  # at rest, where only the tangent vector grows
+    (1.0, 0.0, 0.0, 0.0, 0.2, 1.5, 0.25, 1e-9, 0.0),  # outside that tongue
+    (1.0, 0.0, 0.0, 0.0, 0.5, 2.0, 0.0, 0.0, 0.0),  # at rest: only the displacement grows
     (9.81, 0.02, 0.0, 0.0, -2.0, 6.26, 0.0, 0.2, 0.0),
-    (1.0, 0.0, 0.0, 0.0, 1e-6, 2.0, 0.0, 1.0, 0.0),  # hardly shaken
+    (1.0, 0.0, 0.0, 0.0, 1e-6, 2.0, 0.0, 1.0, 0.0),  # a very small amplitude
     (1.0, 0.3, 0.5, 0.0, 0.8, 1.7, 0.3, -1.0, 0.0),  # with a torque
-    (2.0, 0.5, 0.5, 1.25, -1.5, 3.0, 0.75, 0.5, -1.0),  # with everything
+    (2.0, 0.5, 0.5, 1.25, -1.5, 3.0, 0.75, 0.5, -1.0),  # all terms of the equation
     (0.25, 3.0, 0.1, 0.5, 2.0, 1.0, -2.0, 0.1, 0.0),  # overdamped
-    (1.0, 0.1, 0.0, 0.0, 3.0, 2.5, 0.0, -7.5, 3.0),  # turns with the pivot
-    (1.0, 0.0, 0.0, 0.0, 5.0, 0.7, 0.0, 0.0, 30.0),  # turns fast
-    (1.0, 0.0, 0.0, 0.0, 0.5, 1.25, 0.0, 2.0, 0.1),  # chaotic, these and the rest
+    (1.0, 0.1, 0.0, 0.0, 3.0, 2.5, 0.0, -7.5, 3.0),  # rotates in step with the pivot
+    (1.0, 0.0, 0.0, 0.0, 5.0, 0.7, 0.0, 0.0, 30.0),  # rotates fast
+    (1.0, 0.0, 0.0, 0.0, 0.5, 1.25, 0.0, 2.0, 0.1),  # this and the following are chaotic
     (1.0, 0.1, 0.05, 0.0, -1.2, 0.7, 0.0, -1.0, 2.0),
     (1.0, 0.2, 0.1, 0.0, 1.4, 1.8, 0.0, 1.0, 0.0),
     (1.0, 0.2, 0.0, 0.0, 1.6, 2.0, 0.5, 1.0, 0.0),
@@ -83,22 +83,22 @@ def real(x: int) -> arb:
 
 
 def product(x, y):
-    """The last coefficient of the product of two series of equal length."""
+    """The last coefficient of the product of two series of equal length n: the one of order n - 1."""
     return sum(map(mul, x, reversed(y))) >> BITS
 
 
 def coefficients(p, state, t):
-    """Series of theta, omega and of the tangent vector about t, as lists of coefficients."""
+    """The Taylor coefficients of theta, omega and the displacement about t, as lists."""
     alpha, beta, torque, amplitude, pivot, frequency, phase = p
     theta, omega, d_theta, d_omega = state
     angle = real(frequency) * t + real(phase)
     wave = [fixed(f) for f in (angle.cos(), -angle.sin(), -angle.cos(), angle.sin())]
     x, v, s, c = [theta], [omega], [fixed(real(theta).sin())], [fixed(real(theta).cos())]
     dx, dv = [d_theta], [d_omega]
-    stiffness, slope = [], []  # alpha + pivot cos(...), and the same times cos(theta)
+    stiffness, slope = [], []  # series of alpha + pivot cos(phase), and of its product with cos(theta)
     power = 1 << BITS  # frequency^n/n!
     for n in range(ORDER):
-        drive = power * wave[n % 4] >> BITS  # the n-th coefficient of the cosine of the drive's phase
+        drive = power * wave[n % 4] >> BITS  # coefficient n of cos(phase)
         stiffness.append((pivot * drive >> BITS) + (alpha if n == 0 else 0))
         slope.append(product(stiffness, c))
         force = (amplitude * drive - beta * v[n] >> BITS) + (torque if n == 0 else 0)
@@ -121,9 +121,9 @@ def horner(x, h):
 
 
 def solve(pendulum, theta, omega, times):
-    """(t, theta, omega, d_theta, d_omega) at the times; the tangent vector is (1, 0) at t = 0.
+    """Yields (t, theta, omega, d_theta, d_omega) at the times; the displacement (d_theta, d_omega) is (1, 0) at t = 0.
 
-    The error is known from the check, not from a bound.
+    The error is estimated by the check; there is no proven bound.
     """
     p, state = [fixed(arb(v)) for v in pendulum], [fixed(arb(v)) for v in (theta, omega, 1, 0)]
     alpha, beta, torque, amplitude, pivot, frequency, _ = pendulum

@@ -20,7 +20,7 @@ def sign() -> int:
 
 
 def velocity(alpha: float, theta: float, kappa1: float) -> float:
-    """That which leaves cos^2(theta/2) - omega^2/(4 alpha) = kappa1."""
+    """The velocity for which cos^2(theta/2) - omega^2/(4 alpha) = kappa1, of either sign, or nan if there is none."""
     square = arb(alpha) * ((arb(theta) / 2).cos() ** 2 - arb(kappa1))
     return sign() * 2 * nearest(exact(square.sqrt())) if square > 0 else math.nan
 
@@ -30,7 +30,7 @@ def stiffness() -> float:
 
 
 def clear():
-    """Where kappa' is no difference of nearly equal numbers: at rest, rotating, or well below the top."""
+    """A case in which kappa' does not suffer from cancellation: at rest, rotating, or well below the top."""
     alpha, theta = stiffness(), uniform(-math.pi, math.pi)
     kind = random.choice(("rest", "upright", "small", "rotation", "oscillation"))
     if kind == "rest":
@@ -50,7 +50,7 @@ def near():
 
 
 def latest(case, tau: arb) -> float:
-    """In units of tau: where an error of 2^-102 (1 + x) of the phase is 2^-41; from 2^20 to 2^52."""
+    """The latest time in units of tau, from 2^20 to 2^52: an error of 2^-102 (1 + x) per period has then grown to 2^-41."""
     alpha, theta, omega = case
     gap = abs(complement(alpha, theta, omega))
     x = 2 * arb(alpha).sqrt() * (arb(theta) / 2).cos() ** 2 / (tau * gap)
@@ -70,7 +70,7 @@ def separatrix():
 
 
 def tail_times(case) -> list[float]:
-    """By the argument of sinh: near the bottom, on the way, and where the velocity becomes denormal and then 0."""
+    """Times chosen by the argument of sinh: near the bottom, on the way up, and where the velocity is denormal or 0."""
     alpha, theta, omega = case
     root, start = math.sqrt(alpha), math.asinh(math.tan(theta / 2))
     arguments = [uniform(-2, 2), uniform(-100, 100), *(sign() * uniform(99, 700) for _ in range(3)), sign() * uniform(700, 770)]

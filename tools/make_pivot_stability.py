@@ -1,14 +1,15 @@
-"""Makes tests/data/pivot_stability.txt: where a pendulum with a shaken pivot is stable, hanging and upright, by Floquet theory.
+"""Makes tests/data/pivot_stability.txt: limits of stability of a pendulum with a shaken pivot, by Floquet theory.
 
     python tools/make_pivot_stability.py > tests/data/pivot_stability.txt     (needs python-flint; two minutes)
     python tools/make_pivot_stability.py check                                (needs mpmath too; minutes; prints differences)
 
-A small departure x from the hanging state obeys x'' + beta x' + (alpha + P cos(Omega t)) x = 0, one from the upright state the
-same with -alpha for alpha (and -P for P, which is a shift of time by half a period). With x = e^(-beta t/2) y this is Mathieu's
-equation y'' + (a + P cos(Omega t)) y = 0, a = +-alpha - beta^2/4. Over a period T the two multipliers of y have the product 1,
-and their sum is the trace of the map over T: x grows where |trace| > 2 cosh(beta T/2). cos(Omega t) is even about t = 0 and
-t = T/2, so that the trace follows from the even and the odd solution at T/2. These are power series that converge everywhere.
-The check integrates the equation of x over a whole period instead, by mpmath's Taylor method.
+A small displacement x from the hanging state obeys x'' + beta x' + (alpha + P cos(Omega t)) x = 0. A displacement from the
+upright state obeys the same equation with -alpha and -P; the sign of P is a shift of time by half a period. With
+x = e^(-beta t/2) y this becomes Mathieu's equation y'' + (a + P cos(Omega t)) y = 0 with a = +-alpha - beta^2/4. The product of
+the two multipliers of y over a period T is 1, and their sum is the trace of the map over T. So x grows if
+|trace| > 2 cosh(beta T/2). Because cos(Omega t) is even about t = 0 and about t = T/2, the trace follows from the even and the
+odd solution at T/2, which are power series that converge everywhere. The check integrates the equation of x over a whole period
+instead, by mpmath's Taylor method.
 """
 
 import sys
@@ -17,16 +18,16 @@ from flint import arb, ctx
 from reference_table import pair, text
 
 ctx.prec = 256
-TERMS = 128  # of a power series; the terms left out are below (T/2 sqrt(|a| + |P|))^128/128!
+TERMS = 128  # of a power series; the truncated terms are below (T/2 sqrt(|a| + |P|))^128/128!
 
 
 def half_period(a: arb, pivot: arb, frequency: arb):
-    """The even and the odd solution, with their derivatives in s, at s = 1 where t = s T/2."""
+    """The even and the odd solution and their derivatives by s, at s = 1; the time is t = s T/2."""
     scale = (arb.pi() / frequency) ** 2
     cosine = [(-1) ** k * arb.pi() ** (2 * k) / arb.fac_ui(2 * k) for k in range(TERMS)]
     rate = [scale * ((a if k == 0 else 0) + pivot * c) for k, c in enumerate(cosine)]  # powers of s^2
     values = []
-    for first in (0, 1):  # powers of s: first, first + 2, ...
+    for first in (0, 1):  # the series has the powers first, first + 2, ... of s
         y = [arb(1)]
         for n in range(TERMS - 1):
             power = 2 * n + first
@@ -41,7 +42,7 @@ def trace(a: arb, pivot: arb, frequency: arb) -> arb:
 
 
 def excess(alpha, beta, pivot, frequency, sign) -> arb:
-    """sign trace - 2 cosh(beta T/2): zero where a multiplier of x is the sign. alpha is negative for the upright state."""
+    """sign trace - 2 cosh(beta T/2), which is zero if a multiplier of x is equal to sign. alpha < 0 for the upright state."""
     alpha, beta, pivot, frequency = map(arb, (alpha, beta, pivot, frequency))
     return sign * trace(alpha - beta**2 / 4, pivot, frequency) - 2 * (beta * arb.pi() / frequency).cosh()
 
@@ -55,7 +56,7 @@ def exponent(alpha, beta, pivot, frequency) -> arb:
 
 
 def root(f, low, high) -> arb:
-    """The zero of f between two arguments at which its signs differ, by bisection."""
+    """The zero of f between two arguments at which f has different signs, by bisection."""
     low, high = arb(low), arb(high)
     is_positive = f(low) > 0
     if is_positive == (f(high) > 0):
@@ -75,7 +76,7 @@ def upright_limits(alpha, beta, frequency):
 
 
 def tongue(alpha, beta, pivot, middle):
-    """The frequencies between which the hanging state is unstable, on either side of one at which it is."""
+    """The frequencies between which the hanging state is unstable; it is unstable at the frequency `middle`."""
 
     def f(frequency):
         return excess(alpha, beta, pivot, frequency, -1)
@@ -84,7 +85,7 @@ def tongue(alpha, beta, pivot, middle):
 
 
 def threshold(alpha, beta):
-    """The smallest amplitude of the tongue near 2 sqrt(alpha), and its frequency, by golden section."""
+    """The smallest amplitude at which the tongue near 2 sqrt(alpha) exists, and its frequency, by golden-section search."""
 
     def boundary(frequency):
         return root(lambda p: excess(alpha, beta, p, frequency, -1), 0, 8 * beta)
@@ -128,13 +129,13 @@ def table():
 
 
 def check():
-    """Every number again, from the equation of x with friction over a whole period by mpmath's Taylor method."""
+    """Computes every number again, from the equation of x with friction over a whole period, by mpmath's Taylor method."""
     from mpmath import mp, mpf
 
     mp.dps = 35
 
     def multiplier(alpha, beta, pivot, frequency):
-        """The larger modulus of the two, in x."""
+        """The larger modulus of the two multipliers of x."""
         alpha, beta, pivot, frequency = (mpf(str(arb(v).str(45, radius=False))) for v in (alpha, beta, pivot, frequency))
         period = 2 * mp.pi / frequency
         columns = []
@@ -148,7 +149,7 @@ def check():
 
     def report(name, problem, departure):
         print(name, *problem, mp.nstr(departure, 3))
-        if abs(departure) > 1e-14:  # where both multipliers meet, half the digits are left
+        if abs(departure) > 1e-14:  # half of the digits are lost where the two multipliers are equal
             raise SystemExit("the check disagrees")
 
     for alpha, beta, frequency in UPRIGHT:

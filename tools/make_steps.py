@@ -1,8 +1,8 @@
-"""Makes tests/data/steps.txt and pivot_steps.txt: Euler's, Verlet's and Runge-Kutta's (3.10) methods step by step in 57 digits.
+"""Makes tests/data/steps.txt and pivot_steps.txt: steps of the methods of Euler, Verlet and Runge-Kutta (3.10) in 57 digits.
 
 python tools/make_steps.py free > tests/data/steps.txt     (needs python-flint; some minutes)
 python tools/make_steps.py pivot > tests/data/pivot_steps.txt
-python tools/make_steps.py pivot 256                       (the same text: the precision suffices)
+python tools/make_steps.py pivot 256                       (gives the same text: the precision is sufficient)
 """
 
 import math
@@ -19,7 +19,7 @@ def euler(a, x, w, h):
 
 
 def verlet(a, x, w, h):
-    """Velocity form: half a kick, a drift, half a kick."""
+    """Velocity form: half a step of the velocity, a step of the angle, half a step of the velocity."""
     half = w - a * x.sin() * h / 2
     x = x + half * h
     return x, half - a * x.sin() * h / 2
@@ -33,7 +33,7 @@ def rk4(a, x, w, h):
     return x + (xa + 2 * xb + 2 * xc + xd) / 6, w + (wa + 2 * wb + 2 * wc + wd) / 6
 
 
-# alpha, theta, omega, h; one turns by a hundred radians a step.
+# alpha, theta, omega, h. One pendulum turns by 100 rad in a step.
 PROBLEMS = [
     (1.0, math.pi / 2, 0.0, 0.000741629870920549),
     (1.0, 1.0, 0.5, 0.01),
@@ -48,7 +48,7 @@ PROBLEMS = [
     (1e6, 1.0, 3.0, 1e-5),
     (1e-8, 2.0, -1e-4, 31.0),
 ]
-# For rounding errors: a hundred periods, and as many turns, tau/10,000 each; then longer steps.
+# For rounding errors: 100 periods or turns with steps of tau/10,000, then runs with longer steps.
 LONG = [
     (1.0, math.pi / 2, 0.0, 0.000741629870920549),
     (1.0, 0.0, 2.5, 0.0002894),
@@ -63,7 +63,7 @@ def table(name, method, problem, checkpoints):
     print("problem", name, *map(text, problem))
     a, x, w, h = map(arb, problem)
     for step in range(1, checkpoints[-1] + 1):
-        x, w = (v.mid() for v in method(a, x, w, h))  # errors are bounded by the second precision, not by balls
+        x, w = (v.mid() for v in method(a, x, w, h))  # the radii are dropped: the run with 256 bits checks the error
         if step in checkpoints:
             print("after", step, pair(x), pair(w))
 
@@ -79,7 +79,7 @@ def free():
 
 
 class Forced:
-    """The whole equation, of which verlet takes no friction; each method makes one step from time t."""
+    """The equation with all terms. Each method makes one step from time t; verlet is valid only without friction."""
 
     def __init__(self, alpha, beta, torque, drive, pivot, frequency, phase):
         self.alpha, self.beta, self.torque, self.drive = alpha, beta, torque, drive
@@ -105,8 +105,8 @@ class Forced:
         return x + (xa + 2 * xb + 2 * xc + xd) / 6, w + (wa + 2 * wb + 2 * wc + wd) / 6
 
 
-# alpha, beta, torque, drive_amplitude, pivot_amplitude, drive_frequency, drive_phase, theta, omega, t, h: from steps of angles
-# below 1/48 to some of several radians.
+# alpha, beta, torque, drive_amplitude, pivot_amplitude, drive_frequency, drive_phase, theta, omega, t, h. In a step the angle
+# changes by less than 1/48 rad in some cases, and by several radians in others.
 SHAKEN = [
     (1.0, 0.0, 0.0, 0.0, 30.0, 20.0, 0.0, 3.0, 0.0, 0.0, 0.001),
     (1.0, 0.0, 0.0, 0.0, -30.0, 20.0, 0.0, 0.5, 1.0, 0.0, 0.01),

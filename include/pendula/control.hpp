@@ -1,4 +1,4 @@
-// How a long call is run, and how it ends.
+// Control of a long call: number of threads, progress, cancellation; and how a call ended.
 #pragma once
 
 #include <concepts>
@@ -12,8 +12,8 @@ namespace pendula {
 struct [[nodiscard]] Outcome {
     enum class Kind {
         done,
-        stopped,  ///< by the caller's `proceed`; results are not complete
-        refused,  ///< nothing was done; `refusal` says why
+        stopped,  ///< the caller's `proceed` returned false; the results are incomplete
+        refused,  ///< nothing was computed; `refusal` gives the reason
     };
     Kind kind = Kind::done;
     Refusal refusal{};
@@ -24,8 +24,9 @@ struct [[nodiscard]] Outcome {
     constexpr bool is_done() const noexcept { return kind == Kind::done; }
 };
 
-/// A function of the fraction done, in [0, 1], that returns whether to go on: a lambda that captures at most 32 bytes (four
-/// references), or a plain function. It is kept by value, and called some hundred times a second by the thread that made the call.
+/// A callback for progress and cancellation. Its argument is the fraction of the work that is done, in [0, 1]; it returns
+/// whether the call is to continue. It is a plain function, or a lambda whose captures take at most 32 bytes (four references),
+/// and is stored by value. Only the thread that made the call calls it, some hundred to some thousand times a second.
 class Proceed {
     static constexpr std::size_t room = 32;
 
@@ -44,13 +45,13 @@ class Proceed {
     bool (*call_)(const void*, double) = nullptr;
 };
 
-/// The most threads that a call takes.
+/// The largest number of threads of a call.
 inline constexpr int threads_limit = 256;
 
-/// How a long call is run.
+/// The settings of a long call.
 struct Control {
-    int threads = 0;    ///< at most so many, up to threads_limit; 0: as many as there are processors
-    Proceed proceed{};  ///< tells the progress, and may stop the call
+    int threads = 0;    ///< the largest number of threads, up to threads_limit; 0: one for each processor
+    Proceed proceed{};  ///< called with the progress; stops the call by returning false
 };
 
 }  // namespace pendula

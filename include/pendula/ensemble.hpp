@@ -1,4 +1,4 @@
-// Many trajectories at once: columns in, rows out, on every core.
+// Many trajectories at once, on several threads: columns of parameters in, rows of states out.
 #pragma once
 
 #include <span>
@@ -8,26 +8,27 @@
 
 namespace pendula {
 
-/// When members are looked at [s]: row j of a member is at first + j every, the start being t = 0.
+/// The times of the rows [s]: row j of a member is at first + j every. The member starts at t = 0.
 struct EnsembleTimes {
     Column first = 0.0;           ///< >= 0
-    Column every = 1.0;           ///< > 0; of no account for a single row
+    Column every = 1.0;           ///< > 0; not used if there is only one row
     std::size_t rows = 1;         ///< >= 1
-    Column steps_to_first = 1.0;  ///< equal steps from the start to a first row later than it; a whole number >= 1
-    Column steps_per_row = 1.0;   ///< equal steps from row to row; a whole number >= 1
+    Column steps_to_first = 1.0;  ///< number of equal steps from the start to the first row, if first > 0; a whole number >= 1
+    Column steps_per_row = 1.0;   ///< number of equal steps between rows; a whole number >= 1
 };
 
-/// Where rows go: arrays of rows x size values, row by row. theta in [-pi, pi) [rad], omega [rad/s], whole turns.
+/// The arrays that receive the rows: rows x size values each, row by row. theta in [-pi, pi) [rad], omega [rad/s], whole turns.
 struct EnsembleRows {
     std::span<double> theta, omega, turns;
 };
 
-/// Solves every member by any method (`taylor` to `tolerance`).
+/// Computes the rows of every member by the given method. `tolerance` is used by `taylor` only.
 ///
-/// A member's bits depend on its own parameters only, not on its neighbours, the number of threads or the instruction set,
-/// and are those of `advance`. A member whose motion leaves the doubles becomes NaN in its own places. Refused as a whole where a
-/// member, a length, a count or the method is not legal. Memory is the rows, a place in a list for each member whose number
-/// of steps is its own, and a constant for each thread.
+/// A member's bits are those of `advance` (solve.hpp) for that member alone. They do not depend on the other members, the
+/// number of threads or the instruction set (tests/cpp/ensemble_test.cpp). Where a member's motion overflows, its own values
+/// become NaN and no others. The whole call is refused if a member, the length of a column or of a result, a count, or the
+/// method is not legal. Besides the rows, memory is constant for each thread; where numbers of steps are given member by
+/// member, `rk4` also sorts the members, which takes 8 bytes for each.
 Outcome solve(const Ensemble& ensemble, Method method, double tolerance, const EnsembleTimes& times, const EnsembleRows& rows,
               const Control& control = {}) noexcept;
 

@@ -1,4 +1,4 @@
-// All of pendula.
+// Includes all public headers of pendula.
 #pragma once
 
 #include "pendula/actividad3.hpp"

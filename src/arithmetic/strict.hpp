@@ -1,6 +1,6 @@
-// Refuses to compile under flags that change results. The build takes back -ffast-math; this is for what it cannot take back,
-// and for those who compile these sources by a build of their own. Macros tell only a part: of -funsafe-math-optimizations
-// clang says nothing, and of -ffp-contract neither compiler does.
+// Refuses to compile under flags that change results. cmake/strict.cmake overrides -ffast-math. This header finds flags that
+// cannot be overridden, and protects builds that do not use the CMake files of pendula. Macros do not show all flags: clang
+// defines none for -funsafe-math-optimizations, and no compiler defines one for -ffp-contract.
 #pragma once
 
 #if defined __FAST_MATH__ || (defined __FINITE_MATH_ONLY__ && __FINITE_MATH_ONLY__)

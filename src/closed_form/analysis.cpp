@@ -13,7 +13,7 @@ using Number = EnergyBalance::Number;
 
 namespace {
 
-/// The power of two at or below |x| > 0, normal or not.
+/// The largest power of two <= |x|, for x != 0, normal or denormal.
 double power_of_two_below(double x) noexcept {
     const double normal = abs(x) < 0x1p-1022 ? x * 0x1p54 : x;
     const double power = from_bits<double>(bits(normal) & 0x7ff0000000000000);
@@ -25,9 +25,10 @@ double ulp(double x) noexcept {
     return x == 0 ? 0x1p-1074 : power < 0x1p-1022 ? 0x1p-1074 : power * 0x1p-52;
 }
 
-/// How far one unit in the last place of theta, omega and alpha can move the gap, to first and second order.
+/// A bound on the change of the gap when theta, omega and alpha change by one unit in the last place, to first and second
+/// order.
 double reach_of_one_ulp(const EnergyBalance& b, double theta_ulp, double omega_ulp) noexcept {
-    const double alpha_ulp = power_of_two_below(b.alpha) * 0x1p-52;  // as of a normal number, also where alpha is not
+    const double alpha_ulp = power_of_two_below(b.alpha) * 0x1p-52;  // as for a normal number, also if alpha is denormal
     const double sine = b.sine.hi, cosine = b.cosine.hi;
     const double first =
         b.alpha * abs(sine * cosine) * theta_ulp + abs(b.half_omega.hi) * omega_ulp + cosine * cosine * alpha_ulp;
@@ -36,8 +37,9 @@ double reach_of_one_ulp(const EnergyBalance& b, double theta_ulp, double omega_u
     return first + second;
 }
 
-/// (3.5): the time from theta to 0.999 theta_max, or 10/sqrt(alpha) where there is nothing to time. The difference of the two
-/// asinh(tan(.)) of (3.5) is taken as one, asinh((sin A - sin B)/(cos A cos B)), which loses nothing near the mark.
+/// The time (3.5) from theta to 0.999 theta_max, or 10/sqrt(alpha) at rest or beyond that angle. The difference of the two
+/// asinh(tan(.)) in (3.5) is computed as a single one, asinh((sin A - sin B)/(cos A cos B)), without cancellation close to
+/// 0.999 theta_max.
 double separatrix_time(const EnergyBalance& b, double omega) noexcept {
     const double root = sqrt(b.alpha) * b.unit;
     const Number mark_sine{mark_sine_dd[0], mark_sine_dd[1]};
@@ -59,7 +61,7 @@ void set_oscillation(EnergyBalance& b) noexcept {
     b.k = scaled(sqrt(s * s + w * w), power);
 }
 
-/// The assignment's r of (3.8), and 1 - r^2.
+/// r of (3.8), and 1 - r^2.
 struct SeriesModulus {
     double r;
     double complement;
@@ -135,7 +137,8 @@ Outcome analyze_by_series(double alpha, State initial, double epsilon, Analysis&
     if (const auto refusal = check(Pendulum{.alpha = alpha}, initial)) return refusal;
     if (const auto refusal = check_rule("epsilon", epsilon, Rule::fraction)) return refusal;
     const double last = series_terms(alpha, initial, epsilon);
-    if (last > series_terms_limit) return Refusal{.reason = Refusal::Reason::too_many_terms, .value = last, .most = series_terms_limit};
+    if (last > series_terms_limit)
+        return Refusal{.reason = Refusal::Reason::too_many_terms, .value = last, .most = series_terms_limit};
     analysis = analyze(alpha, initial);
     if (analysis.regime == Regime::separatrix) return {};
     constexpr double terms_between_looks = 1 << 20;

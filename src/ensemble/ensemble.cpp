@@ -15,7 +15,7 @@ using kernels::Row;
 
 namespace {
 
-/// One call, as its pieces see it.
+/// The arguments of one call.
 struct EnsembleCall {
     const Ensemble& ensemble;
     Method method;
@@ -45,10 +45,10 @@ struct EnsembleCall {
         }
     }
 
-    /// By `advance`: a member alone, or methods that have no packs.
+    /// Computes the rows of one member by `advance`, for methods without packs and for an ensemble of one member.
     void member_rows(Thread& thread, std::size_t member) const noexcept {
         constexpr std::size_t block = 256;
-        constexpr double step_budget = 1 << 16;  // some milliseconds
+        constexpr double step_budget = 1 << 16;  // takes some milliseconds
         Sample samples[block];
         Trajectory run = begin(problem(member));
         for (std::size_t at = member; !run.is_finished();) {
@@ -63,10 +63,10 @@ struct EnsembleCall {
         }
     }
 
-    /// Takes the members whose number of steps is `count` over their lengths; the others stay.
+    /// Integrates the members whose number of steps is `count` over their lengths of time. The other members do not change.
     bool rk4_by_count(Members& m, const Row& start, const Row& length, const Row& counts, double count,
                       Thread& thread) const noexcept {
-        constexpr int most = 16 * kernels::block_steps;  // between looks at whether to go on
+        constexpr int most = 16 * kernels::block_steps;  // steps between two checks for cancellation
         const auto before = m.chunk;
         Row own;
         for (int i = 0; i < chunk_size; ++i) own[i] = counts[i] == count ? length[i] : 0;
@@ -139,7 +139,8 @@ Refusal check_rows(const Ensemble& ensemble, const EnsembleTimes& times, const E
     return check_length(rows.turns, values, "turns");
 }
 
-/// Members in the order of their numbers of steps, so that those of a chunk mostly take as many. Null where memory lacks.
+/// The numbers of the members, sorted by their numbers of steps, so that most members of a chunk have the same number. Null if
+/// memory could not be allocated.
 std::unique_ptr<std::size_t[]> order_by_steps(std::size_t size, const EnsembleTimes& times) noexcept {
     std::unique_ptr<std::size_t[]> order(new (std::nothrow) std::size_t[size]);
     if (!order) return order;

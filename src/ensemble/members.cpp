@@ -15,7 +15,7 @@ using kernels::chunk_size;
 
 namespace {
 
-/// Puts a member, which is legal, into its place.
+/// Stores a legal member at place i of a chunk.
 void put_member(Chunk& c, int i, const Pendulum& p, State initial) noexcept {
     c.is_resting[i] = rests_on_top(p, initial);
     auto angle = split_turns(initial.theta);
@@ -28,7 +28,8 @@ void put_member(Chunk& c, int i, const Pendulum& p, State initial) noexcept {
     kernels::store<double, kernels::Motion>(c.motion, i, {angle.theta, initial.omega, angle.turns, 0, 0});
     kernels::store<double, kernels::Tangent>(c.tangent, i, {1, 0});
     auto parameters = parameters_of(p);
-    if (!is_driven(p)) parameters.drive_frequency = 0;  // times a time it may leave the doubles, and a neighbour may need its cosine
+    // If another lane has a drive, the cosine is computed in this lane too: a large frequency times the time could overflow.
+    if (!is_driven(p)) parameters.drive_frequency = 0;
     kernels::store<double, kernels::Parameters>(c.parameters, i, parameters);
 }
 
@@ -50,7 +51,8 @@ void load_members(Members& members, const Ensemble& ensemble, std::size_t first,
 
 void hold_resting(Chunk& c) noexcept {
     for (int i = 0; i < c.count; ++i)
-        if (c.is_resting[i]) kernels::store<double, kernels::Motion>(c.motion, i, {c.resting_theta[i], 0, c.resting_turns[i], 0, 0});
+        if (c.is_resting[i])
+            kernels::store<double, kernels::Motion>(c.motion, i, {c.resting_theta[i], 0, c.resting_turns[i], 0, 0});
 }
 
 void keep_member(Chunk& now, const Chunk& before, int i) noexcept {
@@ -59,7 +61,7 @@ void keep_member(Chunk& now, const Chunk& before, int i) noexcept {
 }
 
 bool taylor_to(Chunk& chunk, kernels::TaylorChunk& steps, const kernels::Row& t, bool has_tangent, Thread& thread) noexcept {
-    constexpr int most = 64;  // steps between looks at whether to go on
+    constexpr int most = 64;  // steps between two checks for cancellation
     const auto advance = has_tangent ? kernels::dispatch().taylor_tangent : kernels::dispatch().taylor;
     do {
         if (!thread.goes_on()) return false;

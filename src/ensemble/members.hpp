@@ -1,4 +1,4 @@
-// Members of an ensemble as chunks: what solving and measuring share.
+// Members of an ensemble in chunks, for `solve` and `measure`.
 #pragma once
 
 #include "ensemble/run.hpp"
@@ -6,27 +6,28 @@
 
 namespace pendula {
 
-/// A chunk of members and which they are.
+/// A chunk of members, and their numbers in the ensemble.
 struct Members {
     kernels::Chunk chunk;
-    std::size_t number[kernels::chunk_size];  ///< in the ensemble
+    std::size_t number[kernels::chunk_size];
 };
 
-/// Loads the members that `order` lists from place `first` on, or, without an order, members first, first + 1, ...
+/// Loads a chunk: the members order[first], order[first + 1], ..., or the members first, first + 1, ... if there is no order.
 void load_members(Members& members, const Ensemble& ensemble, std::size_t first, const std::size_t* order = nullptr) noexcept;
 
-/// Puts members that rest on top back where they rest, after a kernel has moved them like the others.
+/// Restores the states of members that rest at the top, after a kernel has integrated them like the others.
 void hold_resting(kernels::Chunk& chunk) noexcept;
 
-/// Leaves a member as it was before.
+/// Restores member i of a chunk to its state in another chunk, before a kernel was called.
 void keep_member(kernels::Chunk& now, const kernels::Chunk& before, int i) noexcept;
 
-/// A chunk's run by Taylor's method until it is done or stopped: all members to their times.
+/// Integrates all members of a chunk to their times t [s] by Taylor's method. Returns false if the call was stopped.
 bool taylor_to(kernels::Chunk& chunk, kernels::TaylorChunk& steps, const kernels::Row& t, bool has_tangent,
                Thread& thread) noexcept;
 
-/// Takes members by Runge-Kutta over lengths of time [s] from their start times, by `steps` steps each; calls `between()` after
-/// each group of at most `most` steps (a multiple of a block). False when stopped.
+/// Integrates members by the Runge-Kutta method from their start times [s] over their lengths of time [s], by `steps` steps
+/// each. Calls `between()` after every `most` steps (a multiple of block_steps) and at the end. Returns false if the call was
+/// stopped.
 template <class Between>
 bool rk4_over(kernels::Chunk& chunk, const kernels::Row& start, const kernels::Row& length, double steps, bool has_tangent,
               int most, Thread& thread, const Between& between) noexcept {
@@ -42,14 +43,15 @@ bool rk4_over(kernels::Chunk& chunk, const kernels::Row& start, const kernels::R
     return true;
 }
 
+/// The number of chunks for this many members.
 constexpr std::size_t chunks_of(std::size_t members) noexcept {
     return (members + kernels::chunk_size - 1) / kernels::chunk_size;
 }
 
-/// Why a call on an ensemble cannot be made, whatever its members are: PENDULA_ISA, control, lengths of columns.
+/// Refuses a call with an illegal PENDULA_ISA or control, or with a column of the wrong length. Does not check the members.
 Refusal check_call(const Ensemble& ensemble, const Control& control) noexcept;
 
-/// Whether `name` is an array of `least` values or more.
+/// Refuses an array that is null or has fewer than `least` values. `name` is its name.
 Refusal check_length(std::span<const double> values, double least, const char* name) noexcept;
 
 }  // namespace pendula

@@ -9,7 +9,7 @@
 namespace pendula {
 namespace {
 
-/// Pieces that threads take one after the other.
+/// The pieces of work of a call. Each thread takes the next one when it has finished its last.
 struct Pool {
     LongCall& call;
     std::size_t n;
@@ -27,7 +27,7 @@ struct Pool {
     }
 };
 
-#ifdef __wasm__  // one thread is all there is
+#ifdef __wasm__  // WebAssembly has one thread
 
 void run(Pool& pool, int) noexcept { pool.take_all(true); }
 

@@ -27,13 +27,13 @@ struct Choice {
 };
 
 Choice choose() noexcept {
-#ifdef __wasm__  // a module that imports nothing has no environment
+#ifdef __wasm__  // a module without imports has no environment variables
     const char* const asked = nullptr;
 #else
     const char* const asked = std::getenv("PENDULA_ISA");
 #endif
     Choice choice{.is_met = !asked};
-    // Sets that the processor has, the widest first.
+    // The instruction sets of the processor are offered from the widest to the narrowest.
     const auto offer = [&](const Kernels& kernels) {
         if (!choice.kernels) choice.kernels = &kernels;
         if (asked && std::strcmp(asked, kernels.name) == 0) choice = {&kernels, true};

@@ -1,6 +1,7 @@
-// The equation of motion in any unit of time u, for one pendulum or a pack of them: the only place of the physics.
-//     v' = torque + drive cos(phase) - (pull + pivot cos(phase)) sin(theta) - drag v,    v = omega u
-// Runge-Kutta's method counts time in its step, Taylor's in a power of two: both scale alike.
+// The equation of motion, for one pendulum or a pack of them. All physics of the kernels is here. Time is measured in a unit u,
+// and v = omega u:
+//     v' = torque + drive cos(phase) - (pull + pivot cos(phase)) sin(theta) - drag v.
+// The Runge-Kutta method uses its step as the unit, Taylor's method a power of two.
 #pragma once
 
 #include "arithmetic/trigonometric.hpp"
@@ -10,8 +11,8 @@ namespace pendula::kernels::inline PENDULA_ISA {
 
 using namespace arithmetic;
 
-/// What acts beside gravity; each kind includes those before it. A lane's kind follows from its own parameters, and a lane that is
-/// computed as a later kind keeps its bits: what it lacks is 0.
+/// The forces besides gravity. Each kind includes those before it. A lane may be computed with a later kind than its own
+/// parameters need: its bits are the same, because the additional terms are 0.
 enum class Forcing {
     none,
     steady,  ///< friction or a constant torque
@@ -19,7 +20,7 @@ enum class Forcing {
     shaken,  ///< a shaken pivot
 };
 
-/// The terms of the equation in a unit of time.
+/// The coefficients of the equation in the unit u.
 template <class T>
 struct Terms {
     T pull;    ///< alpha u^2
@@ -35,26 +36,26 @@ inline Terms<T> terms(const Parameters<T>& p, T unit) {
             p.pivot_amplitude * unit * unit};
 }
 
-/// Whether the terms depend on time.
+/// True for lanes in which the equation depends on time.
 template <class T>
 inline auto is_driven(const Parameters<T>& p) {
     return (p.drive_amplitude != 0.0) | (p.pivot_amplitude != 0.0);
 }
 
-/// Whether nothing acts but gravity.
+/// True for lanes in which gravity is the only force.
 template <class T>
 inline auto is_free(const Terms<T>& k) {
     return (k.drag == 0.0) & (k.torque == 0.0) & (k.drive == 0.0) & (k.pivot == 0.0);
 }
 
-/// The terms at one time.
+/// The terms of the equation at one time.
 template <class T>
 struct Acting {
-    T force;  ///< does not depend on the state
-    T pull;   ///< times -sin(theta)
+    T force;  ///< the sum of torque and drive
+    T pull;   ///< the coefficient of -sin(theta)
 };
 
-/// `cosine`: of the drive's phase.
+/// The terms of the equation at a time at which the cosine of the drive's phase is `cosine`.
 template <Forcing forcing, class T>
 inline Acting<T> acting(const Terms<T>& k, T cosine) {
     if constexpr (forcing < Forcing::driven) return {k.torque, k.pull};
@@ -68,25 +69,27 @@ inline T acceleration(const Terms<T>& k, const Acting<T>& now, T sine, T v) {
     return now.force - now.pull * sine - k.drag * v;
 }
 
-/// Of a small displacement, by the linearised equation.
+/// The derivative of the velocity of a small displacement, by the linearised equation, at an angle with the given cosine.
 template <class T>
 inline T tangent_acceleration(const Terms<T>& k, const Acting<T>& now, T cosine, const Tangent<T>& d) {
     return -(now.pull * cosine) * d.theta - k.drag * d.omega;
 }
 
-/// A bound on |theta(stage) - theta(start of its step)| in each of so many steps of RK4 of length 1, for drag <= 1/8.
+/// A bound on |theta(stage) - theta(start of its step)| over the next `steps` steps of the Runge-Kutta method, of length 1, for
+/// drag <= 1/8.
 ///
-/// In n steps |v| grows by at most n a, a = pull + |torque| + |drive| + |pivot|. A stage's velocity is at most
-/// |v| (1 + drag + drag^2/2 + drag^3/4) + a (1 + drag/2 + drag^2/4) <= 1.14 (|v| + a). The rest of 1.25 is for rounding.
+/// Let a = pull + |torque| + |drive| + |pivot|. In n steps |v| grows by at most n a. The velocity of a stage is at most
+///     |v| (1 + drag + drag^2/2 + drag^3/4) + a (1 + drag/2 + drag^2/4) <= 1.14 (|v| + a).
+/// The factor 1.25 instead of 1.14 leaves room for rounding.
 template <class T>
 inline T largest_change(const Terms<T>& k, T v, int steps) {
     return 1.25 * (abs(v) + (steps + 1.0) * (k.pull + abs(k.torque) + abs(k.drive) + abs(k.pivot)));
 }
 
-/// Added to rates, so that a pendulum which nothing moves takes finite steps.
+/// Added to every rate, so that the step of a pendulum without any forces is finite.
 inline constexpr double slowest_rate = 0x1p-900;
 
-/// How fast the motion changes, but for the angle's own velocity [s^-1].
+/// The rate at which the motion changes [s^-1]: the sum of its characteristic frequencies, without |omega|.
 template <class T>
 inline T rate_of_change(const Parameters<T>& p) {
     const T of_drive = select(is_driven(p), p.drive_frequency, T{});

@@ -1,5 +1,5 @@
-// Compiled once for each instruction set, with PENDULA_ISA its name. No std:: templates here: the linker may keep the copy of
-// any unit for all.
+// This file is compiled once for each instruction set; PENDULA_ISA is its name. It uses no templates of std::, because the
+// linker may keep one copy of such a template, with the instructions of any of these units, for the whole library.
 #include "kernels/dispatch.hpp"
 #include "kernels/exact_kernel.hpp"
 #include "kernels/packs.hpp"
@@ -11,7 +11,7 @@
 namespace pendula::kernels::inline PENDULA_ISA {
 namespace {
 
-constexpr int width = 8;  // chunk_size is a multiple
+constexpr int width = 8;  // a divisor of chunk_size
 using T = Pack<width>;
 
 /// Computes the late samples again, by what serves them.
@@ -38,7 +38,7 @@ void mend_late(const Exact& e, std::size_t n, const double* t, double* theta, do
 }
 
 void exact(const Exact& solution, std::size_t n, const double* t, double* theta, double* omega, double* turns) {
-    const Exact e = solution;  // which no store can change
+    const Exact e = solution;  // a copy, which the stores below cannot change
     // `bytes` is a constant for whole packs; else each load and store would be a call.
     const auto sample = [&](std::size_t from, auto bytes) {
         T time{};
@@ -73,7 +73,7 @@ void rk4(Chunk& c, const Row& row_time, const Row& h, double first, int steps) {
 
 }  // namespace
 
-// In taylor_kernels.cpp.
+// Defined in taylor_kernels.cpp.
 bool taylor(Chunk& chunk, TaylorChunk& steps, const Row& t, int most);
 bool taylor_tangent(Chunk& chunk, TaylorChunk& steps, const Row& t, int most);
 

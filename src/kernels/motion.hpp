@@ -1,4 +1,4 @@
-// An angle and a velocity on their way: sums that keep their rounding, and the angle kept in [-pi, pi).
+// Additions to an angle and a velocity, with compensated summation, and wrapping of the angle into [-pi, pi).
 #pragma once
 
 #include "arithmetic/trigonometric.hpp"
@@ -9,12 +9,12 @@ namespace pendula::kernels::inline PENDULA_ISA {
 
 using namespace arithmetic;
 
-/// Above this an angle is wrapped by `split_turns`, whose 2 pi has as many bits as that takes; below, the number of turns is a
-/// whole number of few bits, and 2 pi in two parts is enough.
+/// Angles above this are wrapped by `split_turns`, which has enough bits of 2 pi for any double. Below it the number of turns
+/// has few bits, and 2 pi as the sum of two doubles is enough.
 inline constexpr double far_angle = 0x1p40;
 
-/// Wraps an angle of any size into [-pi, pi) and counts its turns. The result of the first round may round to just outside; the
-/// second round mends that.
+/// Wraps an angle of any size into [-pi, pi) and counts its turns. After the first round the angle may be just outside the
+/// interval by rounding; the second round corrects that.
 template <class T>
 inline void wrap_angle(Motion<T>& x) {
     for (int i = 0; any<T>(abs(x.theta) > far_angle) && i < lanes<T>; ++i) {
@@ -36,7 +36,7 @@ inline void wrap_angle(Motion<T>& x) {
     }
 }
 
-/// Adds to angle and velocity.
+/// Adds to the angle and the velocity, with compensated summation (Kahan), and wraps the angle.
 template <class T>
 inline void add(Motion<T>& x, T d_theta, T d_omega) {
     const auto omega = two_sum(x.omega, d_omega + x.omega_lo);
@@ -48,7 +48,7 @@ inline void add(Motion<T>& x, T d_theta, T d_omega) {
     wrap_angle(x);
 }
 
-/// Where the mask holds, x; elsewhere y.
+/// x in the lanes where the mask is true, y in the others.
 template <class T>
 inline Motion<T> choose(const Mask<T>& mask, const Motion<T>& x, const Motion<T>& y) {
     return {select<T>(mask, x.theta, y.theta), select<T>(mask, x.omega, y.omega), select<T>(mask, x.turns, y.turns),

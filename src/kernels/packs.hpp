@@ -1,4 +1,4 @@
-// Packs of neighbouring members, taken out of a chunk and put back.
+// Loads packs of consecutive members from a chunk, and stores them.
 #pragma once
 
 #include "arithmetic/pack.hpp"
@@ -8,7 +8,7 @@ namespace pendula::kernels::inline PENDULA_ISA {
 
 using namespace arithmetic;
 
-/// The values of the members from number i on, as many as T has lanes.
+/// The values of the members i, i + 1, ..., one for each lane of T.
 template <class T>
 inline T load(const Row& from, int i) {
     T pack;
@@ -21,7 +21,7 @@ inline void store(Row& to, int i, const T& pack) {
     __builtin_memcpy(to + i, &pack, sizeof pack);
 }
 
-/// The same of a struct whose members are all rows: `load<T, Motion>(chunk.motion, i)`.
+/// The same for a struct whose members are all of type Row: `load<T, Motion>(chunk.motion, i)`.
 template <class T, template <class> class Struct>
 inline Struct<T> load(const Struct<Row>& from, int i) {
     static_assert(sizeof(Struct<T>) / sizeof(T) == sizeof from / sizeof(Row));

@@ -1,9 +1,10 @@
-// Runge-Kutta's method of order 4 (3.10) for one pendulum or a pack of them, in blocks of steps.
+// The Runge-Kutta method of order 4 (3.10), for one pendulum or a pack of them, in blocks of steps.
 //
-// The sines of a step lie close to sin(theta): sin(theta + d) = sin + (sin (cos d - 1) + cos sin d) with short polynomials in
-// d costs less than a new sine. Within a block sine and cosine of theta are carried along in the same way; a block starts
-// with new ones. Angle and velocity carry the rounding of their sums from block to block, and within a block only their small
-// changes are summed, so that rounding hardly grows with the number of steps.
+// In a short step the angles of the four stages are close to theta. Then
+//     sin(theta + d) = sin(theta) + (sin(theta) (cos(d) - 1) + cos(theta) sin(d)),
+// with short polynomials in d, costs less than a new sine. Within a block sine and cosine of theta are updated from step to
+// step in the same way; each block starts with newly computed ones. Within a block only the changes of angle and velocity are
+// summed. At its end they are added by compensated summation. So the rounding error hardly grows with the number of steps.
 #pragma once
 
 #include "arithmetic/polynomial.hpp"
@@ -13,18 +14,19 @@
 
 namespace pendula::kernels::inline PENDULA_ISA {
 
-/// Steps of a block, counted from the last row: rounding moves the carried sine and cosine by some 10 ulp at most.
+/// The number of steps of a block; blocks are counted from the last row. In so many steps the rounding errors of the updated
+/// sine and cosine stay below about 10 ulp.
 inline constexpr int block_steps = 32;
 
-/// A step's constants. Time is counted in steps: v = omega h is the angle per step.
+/// The constants of a step. The unit of time is the step: v = omega h is the angle per step.
 template <class T>
 struct Rk4Step {
     T h;
-    T per_step;  ///< 1/h; 0 where h is 0, and nothing moves
+    T per_step;  ///< 1/h; 0 if h is 0, when a step changes nothing
     Terms<T> terms;
     Rate<T> rate;         ///< drive_frequency/(2 pi)
     T start;              ///< drive_phase/(2 pi)
-    SinCos<T> half_step;  ///< of drive_frequency h/2
+    SinCos<T> half_step;  ///< sine and cosine of drive_frequency h/2
 };
 
 template <class T>
@@ -38,7 +40,7 @@ inline Rk4Step<T> rk4_constants(const Parameters<T>& p, T h) {
             sincos(0.5 * p.drive_frequency * h)};
 }
 
-/// sin d and cos d - 1 for |d| <= short_limit, within 5e-17.
+/// sin d and cos d - 1 for |d| <= short_limit, with an absolute error below 5e-17.
 inline constexpr double short_limit = 1.0 / 48;
 template <class T>
 inline SinCos<T> short_increments(T d) {
@@ -46,7 +48,7 @@ inline SinCos<T> short_increments(T d) {
     return {d + d * (q * polynomial(q, sin_short)), q * (-0.5 + q * polynomial(q, cos_short))};
 }
 
-/// sin d and cos d - 1 for |d| <= medium_limit, within 2e-16.
+/// sin d and cos d - 1 for |d| <= medium_limit, with an absolute error below 2e-16.
 inline constexpr double medium_limit = 0.75;
 template <class T>
 inline SinCos<T> medium_increments(T d) {
@@ -54,19 +56,20 @@ inline SinCos<T> medium_increments(T d) {
     return {d + d * (q * polynomial(q, sin_quarter)), q * (-0.5 + q * polynomial(q, cos_quarter))};
 }
 
-/// sin(x + d) and cos(x + d) from those of x and the increments of d.
+/// sin(x + d) and cos(x + d), from sin x and cos x and from d.sin = sin d and d.cos = cos d - 1.
 template <class T>
 inline SinCos<T> turned_by(SinCos<T> x, SinCos<T> d) {
     return {x.sin + (x.sin * d.cos + x.cos * d.sin), x.cos + (x.cos * d.cos - x.sin * d.sin)};
 }
 
-/// What a block of small steps carries: sine and cosine of the angle, the velocity, and the sums of the changes of both.
+/// The state within a block of short steps: sine and cosine of the angle, the velocity, and the sums of the changes of angle
+/// and velocity.
 template <class T>
 struct Carried {
     SinCos<T> angle;
     T v;
-    T start;          ///< v at the block's beginning
-    T change{};       ///< of v since
+    T start;     ///< v at the start of the block
+    T change{};  ///< of v, since the start of the block
     T angle_change{};
 
     Carried(const Motion<T>& x, T h) : v(x.omega * h), start(v) {
@@ -81,12 +84,17 @@ struct Carried {
     }
 };
 
-/// Steps without friction or force and so small, |v| <= near_limit and p = alpha h^2 <= near_pull, that their sines are
-/// expanded about the middle B = theta + eta, eta = v/2. With sin C = sin B - a cos B - a^2/2 sin B, a = (p/4) sin A, and sin D
-/// likewise about theta + v, (3.10) becomes in s = (p/6) sin B, c = (p/6) cos B, m = s (2 + cos eta), t = c sin eta
+/// Steps of a free pendulum with |v| <= near_limit and p = alpha h^2 <= near_pull, expanded about the middle of the step.
+///
+/// The middle is B = theta + eta with eta = v/2. The sine of the third stage is expanded about B:
+///     sin C = sin B - a cos B - a^2/2 sin B,  a = (p/4) sin A.
+/// That of the fourth stage is expanded in the same way about theta + v. With
+///     s = (p/6) sin B,  c = (p/6) cos B,  m = s (2 + cos(eta)),  t = c sin(eta)
+/// (3.10) becomes
 ///     theta' - theta = v + bend,  bend = t - m + 3/2 c (s - t)
 ///     eta' - eta     = s (3 c cos(eta) + 27/8 s^2) - p^2/24 sin(eta) - m
-/// but for terms below 1e-17. Of the angle only s and c are carried on: turned by v, then by the small rest bend + eta' - eta.
+/// with truncated terms below 1e-17. Of the angle only s and c are needed. For the next step they are rotated by B' - B: first
+/// by v, then by the small remainder bend + eta' - eta.
 inline constexpr double near_limit = 1.0 / 256;
 inline constexpr double near_pull = 4e-6;
 template <class T>
@@ -117,11 +125,11 @@ inline void near_steps(const Rk4Step<T>& k, Motion<T>& x, int steps) {
     add(x, angle_change, (change + change) * k.per_step);
 }
 
-/// The four stages of a step and, if asked for, of a tangent vector.
+/// The four stages of a step for the motion and, if requested, for a displacement.
 template <Forcing forcing, bool has_tangent, class T>
 struct Stages {
     const Rk4Step<T>& k;
-    SinCos<T> drive;  ///< of the drive's phase, which goes through the step
+    SinCos<T> drive;  ///< sine and cosine of the phase of the drive, at the current stage
     Tangent<T> tangent;
 
     Acting<T> now() const { return acting<forcing>(k.terms, drive.cos); }
@@ -132,7 +140,8 @@ struct Stages {
                  drive.cos * k.half_step.cos - drive.sin * k.half_step.sin};
     }
 
-    /// (3.10): what it adds to angle and v, with angle_at(d) = (sin, cos)(theta + d). Moves drive and tangent by the step.
+    /// The increments of angle and v in one step of (3.10). a = (sin, cos)(theta) and angle_at(d) = (sin, cos)(theta + d). Also
+    /// advances the phase of the drive, and the displacement, by one step.
     template <class AngleAt>
     Tangent<T> step(T v, SinCos<T> a, AngleAt angle_at) {
         const auto start = now();
@@ -164,14 +173,15 @@ struct Stages {
         return {v + bend.theta, bend.omega};
     }
 
-    /// What the accelerations of the stages add to an angle, beside v, and to a velocity.
+    /// The increments of angle (without v) and velocity, from the accelerations of the four stages.
     static Tangent<T> weighted(T a, T b, T c, T d) {
         const T inner = b + c;
         return {(a + inner) * (1.0 / 6.0), ((a + d) + (inner + inner)) * (1.0 / 6.0)};
     }
 };
 
-/// Steps so short that sines follow each other by small increments.
+/// Steps in which the angle changes by at most short_limit: all sines by short polynomials, from the sine and cosine of the
+/// step before.
 template <class Stages, class T>
 inline void short_steps(Stages& stages, Motion<T>& x, int steps) {
     Carried<T> at(x, stages.k.h);
@@ -184,7 +194,8 @@ inline void short_steps(Stages& stages, Motion<T>& x, int steps) {
     add(x, at.angle_change, at.change * stages.k.per_step);
 }
 
-/// Steps of angles up to medium_limit: one sine anew, three by increments as long as polynomials go.
+/// Steps in which the angle changes by at most medium_limit: one new sine and cosine for each step, and the other three by
+/// longer polynomials.
 template <class Stages, class T>
 inline void medium_steps(Stages& stages, Motion<T>& x, int steps) {
     for (int i = 0; i < steps; ++i) {
@@ -195,7 +206,7 @@ inline void medium_steps(Stages& stages, Motion<T>& x, int steps) {
     }
 }
 
-/// Steps of any length: every sine anew.
+/// Steps of any length: four new sines.
 template <class Stages, class T>
 inline void large_steps(Stages& stages, Motion<T>& x, int steps) {
     for (int i = 0; i < steps; ++i) {
@@ -205,13 +216,13 @@ inline void large_steps(Stages& stages, Motion<T>& x, int steps) {
     }
 }
 
-/// A block whose steps are not near, of angles up to `reach`.
+/// A block of steps that `near_steps` does not cover. `reach` bounds the change of the angle within a step.
 template <Forcing forcing, bool has_tangent, class T>
 inline void forced_block(const Rk4Step<T>& k, DoubleDouble<T> t, Motion<T>& x, Tangent<T>& tangent, T reach, int steps) {
     SinCos<T> drive{};
     if constexpr (forcing >= Forcing::driven)
         drive = sincos(two_pi_dd[0] * phase_at(t.hi, k.rate, k.start + t.lo * k.rate.whole).fraction);
-    const auto is_bounded = abs(k.terms.drag) <= 0.125;  // by `largest_change`
+    const auto is_bounded = abs(k.terms.drag) <= 0.125;  // as `largest_change` requires
     const auto is_short = is_bounded & (reach <= short_limit);
     const auto is_medium = is_bounded & (reach <= medium_limit);
     Stages<forcing, has_tangent, T> by_short{k, drive, {tangent.theta, tangent.omega * k.h}};
@@ -225,13 +236,13 @@ inline void forced_block(const Rk4Step<T>& k, DoubleDouble<T> t, Motion<T>& x, T
     tangent = {moved.theta, moved.omega * k.per_step};
 }
 
-/// Up to `block_steps` steps from time t; each lane in the way that its own constants and angles allow. The tangent vector
-/// goes along if there is one.
+/// Makes up to block_steps steps from time t. Each lane uses the method that its own constants and angles allow, so that its
+/// bits do not depend on the other lanes. The displacement follows if has_tangent is true.
 template <bool has_tangent, class T>
 inline void rk4_block(const Rk4Step<T>& k, DoubleDouble<T> t, Motion<T>& x, Tangent<T>& tangent, int steps) {
     const T reach = largest_change(k.terms, x.omega * k.h, steps);
     const auto is_near = (reach <= near_limit) & is_free(k.terms) &
-                         (k.terms.pull <= (has_tangent ? -1.0 : near_pull));  // near steps carry no tangent
+                         (k.terms.pull <= (has_tangent ? -1.0 : near_pull));  // near_steps has no displacements
 
     Motion<T> near = x, forced = x;
     if (any<T>(is_near)) near_steps(k, near, steps);

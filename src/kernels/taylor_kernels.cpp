@@ -1,5 +1,5 @@
-// Like kernels.cpp, of which it is apart for its compiler flags: compiled once for each instruction set.
-// A pack of a chunk on its way by Taylor's method, each lane by steps of its own to a time of its own.
+// The kernels of Taylor's method for chunks. Like kernels.cpp this file is compiled once for each instruction set. Each lane of
+// a pack has its own steps and its own target time.
 #include "kernels/dispatch.hpp"
 #include "kernels/packs.hpp"
 #include "kernels/taylor_kernel.hpp"
@@ -8,17 +8,19 @@ namespace pendula::kernels::inline PENDULA_ISA {
 
 namespace {
 
-// Not wider than a register: a series must stay near.
+// One register wide: the series of a wider pack would need more memory.
 using T = Pack<register_width>;
 
-/// The times that the lanes go to. A lane behind the last member is there already, so that no other waits for it.
+/// The target times of the lanes. The target of a lane without a member is the start of its own step: it is reached at once,
+/// and no other lane waits for it.
 T target_times(const Chunk& chunk, const TaylorChunk& steps, const Row& t, int i) {
     T target = load<T>(t, i);
     for (int j = chunk.count - i; j < lanes<T>; ++j) lane(target, j) = steps.step.t[i + j];
     return target;
 }
 
-/// Moves the lanes that have not reached their targets on by a step. The others compute the step that they are at once more.
+/// Advances the lanes that have not reached their targets by one step. The other lanes compute their present step again, with
+/// the same result.
 template <bool has_tangent>
 void next_step(const TaylorPendulum<T>& p, TaylorReach reach, const Mask<T>& goes_on, TaylorStep<T>& step,
                TangentStep<T>& tangent) {
@@ -31,7 +33,7 @@ void next_step(const TaylorPendulum<T>& p, TaylorReach reach, const Mask<T>& goe
     expand(p, reach, step, C);
     if constexpr (has_tangent) {
         expand_tangent(p, reach.order, step.unit, C, tangent);
-        // Where the motion hardly moves, as near the top, it alone would allow steps too long for the displacement.
+        // If the motion hardly changes, as near the top, its series would allow steps that are too long for the displacement.
         if (const auto is_shaken = p.parameters.pivot_amplitude != 0.0; any<T>(is_shaken)) {
             const T longest = taylor_length(reach, tangent.u[0], tangent.u) * step.unit;
             step.length = select<T>(is_shaken & (longest < step.length), longest, step.length);
@@ -39,8 +41,8 @@ void next_step(const TaylorPendulum<T>& p, TaylorReach reach, const Mask<T>& goe
     }
 }
 
-/// Takes the pack at i to its target times by at most so many steps, and then puts its state there into the chunk. False when
-/// more steps are needed.
+/// Integrates the members i, i + 1, ... of one pack to their target times by at most `most` steps, and stores their states
+/// there in the chunk. Returns false if more steps are needed.
 template <bool has_tangent>
 bool advance_pack(Chunk& chunk, TaylorChunk& steps, const Row& t, int most, int i) {
     const auto p = taylor_pendulum(load<T, Parameters>(chunk.parameters, i));

@@ -14,20 +14,20 @@ using kernels::chunk_size;
 
 namespace {
 
-constexpr int most_attractors = 256;  // of a pendulum
+constexpr int most_attractors = 256;  // for one set of parameters
 
-/// Columns of the results.
+/// The columns of the results, in the order of `attractors_columns`.
 enum { label_column, period_column, rotation_column, theta_column, omega_column };
 
 bool precedes(State a, State b) noexcept { return a.theta < b.theta || (a.theta == b.theta && a.omega < b.omega); }
 
 State state_at(const StrobedMembers& m, int i) noexcept { return {m.chunk.motion.theta[i], m.chunk.motion.omega[i]}; }
 
-/// Brent's search for cycles (BIT 20, 1980): a point to come back to, taken anew after 1, 2, 4, 8, ... periods, so that an
-/// orbit that settles late is found as well, with its smallest period.
+/// Brent's algorithm for cycles (BIT 20, 1980). The orbit is compared with a reference point, which is replaced by the present
+/// point after 1, 2, 4, 8, ... periods. So a cycle that is reached late is found too, and always with its smallest period.
 struct CycleSearch {
-    double since = 0;   ///< periods done when the point to come back to was taken
-    double period = 0;  ///< 0 until it has come back
+    double since = 0;   ///< number of the period at which the reference point was taken
+    double period = 0;  ///< 0 until the orbit has returned to the reference point
     State start, least;
     double start_turns;
     double rotation;
@@ -52,7 +52,7 @@ struct CycleSearch {
     }
 };
 
-/// The orbits that members settle on, without their labels.
+/// Finds the periodic orbits on which the members end. Labels are set afterwards.
 struct OrbitObserver {
     static constexpr bool has_tangent = false;
     const MeasureCall& call;
@@ -92,11 +92,11 @@ struct OrbitObserver {
     }
 };
 
-/// A periodic orbit that some members have settled on.
+/// A periodic orbit on which some members end.
 struct Attractor {
     double period;
     double rotation;
-    State point;  ///< of the orbit, the one of the smallest theta
+    State point;  ///< the point of the orbit with the smallest theta
     int number;
 };
 
@@ -106,7 +106,7 @@ bool precedes(const Attractor& a, const Attractor& b) noexcept {
     return precedes(a.point, b.point);
 }
 
-/// Members that share their parameters, and differ in how they start.
+/// Members with the same parameters and different initial states.
 struct Siblings {
     const MeasureCall& call;
     const std::size_t* members;
@@ -117,25 +117,26 @@ struct Siblings {
         return call.result(static_cast<std::size_t>(column), 0, members[i]);
     }
 
-    /// A member's attractor, which no label names yet.
+    /// The orbit of a member without a label, as a new attractor with this number.
     Attractor attractor_of(std::size_t i, int number) const noexcept {
-        return {result(period_column, i), result(rotation_column, i), {result(theta_column, i), result(omega_column, i)}, number};
+        return {
+            result(period_column, i), result(rotation_column, i), {result(theta_column, i), result(omega_column, i)}, number};
     }
 
     bool is_on(std::size_t i, const Attractor& a, State point, double frequency) const noexcept {
         const double match = call.strobe.match;
-        return result(label_column, i) == 0 && result(period_column, i) == a.period && result(rotation_column, i) == a.rotation &&
-               abs(wrap(result(theta_column, i) - point.theta)) <= match &&
+        return result(label_column, i) == 0 && result(period_column, i) == a.period &&
+               result(rotation_column, i) == a.rotation && abs(wrap(result(theta_column, i) - point.theta)) <= match &&
                abs(result(omega_column, i) - point.omega) <= match * frequency;
     }
 
-    /// Follows the attractor of member `exemplar` for a period, and gives its number to all members whose points it passes. False
-    /// when stopped.
+    /// Follows the attractor of member `exemplar` for one period, and sets the label of every member whose point lies on it.
+    /// Returns false if the call was stopped.
     bool collect(Attractor& a, std::size_t exemplar) const noexcept {
         Ensemble alone{.size = 1, .theta = a.point.theta, .omega = a.point.omega};
         for (const auto& parameter : parameters)
             if (parameter.value) alone.*parameter.column = (call.ensemble.*parameter.column)[members[exemplar]];
-        alone.drive_phase = 0.0;  // at a strobe
+        alone.drive_phase = 0.0;  // the point belongs to a time at which the phase of the drive is 0
         StrobedMembers m;
         load_strobed(m, alone, 0);
         const Way way{call.strobe, thread, false};
@@ -149,7 +150,8 @@ struct Siblings {
         return true;
     }
 
-    /// Numbers the attractors in the order in which they are found, and then by what they are.
+    /// Labels all members: numbers the attractors in the order in which they are found, and then renumbers them in the order of
+    /// their properties.
     void label() const noexcept {
         Attractor found[most_attractors];
         int count = 0;
@@ -165,12 +167,11 @@ struct Siblings {
         std::sort(found, found + count, [](const Attractor& a, const Attractor& b) { return precedes(a, b); });
         int rank[most_attractors + 1] = {};
         for (int i = 0; i < count; ++i) rank[found[i].number] = i + 1;
-        for (std::size_t i = 0; i < size; ++i)
-            result(label_column, i) = rank[static_cast<int>(result(label_column, i))];
+        for (std::size_t i = 0; i < size; ++i) result(label_column, i) = rank[static_cast<int>(result(label_column, i))];
     }
 };
 
-/// Orders members by their parameters, not by how they start; siblings compare equal.
+/// An order of members by their parameters only: members that differ in their initial states compare equal.
 bool has_lesser_parameters(const Ensemble& ensemble, std::size_t a, std::size_t b) noexcept {
     for (const auto& parameter : parameters) {
         if (!parameter.value) continue;
@@ -180,7 +181,8 @@ bool has_lesser_parameters(const Ensemble& ensemble, std::size_t a, std::size_t 
     return false;
 }
 
-/// Lists members, siblings next to each other, and where each group begins; returns the number of groups.
+/// Lists the members so that those with the same parameters are adjacent, and lists where each group starts. Returns the number
+/// of groups.
 std::size_t group_siblings(const Ensemble& ensemble, std::size_t* members, std::size_t* starts) noexcept {
     for (std::size_t i = 0; i < ensemble.size; ++i) members[i] = i;
     std::sort(members, members + ensemble.size, [&](std::size_t a, std::size_t b) {
@@ -197,17 +199,20 @@ std::size_t group_siblings(const Ensemble& ensemble, std::size_t* members, std::
 }  // namespace
 
 Outcome measure_attractors(const MeasureCall& call, const Control& control) noexcept {
-    constexpr double share_of_orbits = 0.9;  // of the time, as far as progress tells
+    constexpr double share_of_orbits = 0.9;  // share of the time that progress assigns to finding the orbits
     const std::size_t size = call.ensemble.size;
-    const std::unique_ptr<std::size_t[]> members(new (std::nothrow) std::size_t[size]), starts(new (std::nothrow) std::size_t[size + 1]);
+    const std::unique_ptr<std::size_t[]> members(new (std::nothrow) std::size_t[size]),
+        starts(new (std::nothrow) std::size_t[size + 1]);
     if (!members || !starts) return Refusal{.reason = Refusal::Reason::memory, .name = "ensemble"};
-    if (const auto outcome = observe<OrbitObserver>(call, part_of(control, 0, share_of_orbits)); !outcome.is_done()) return outcome;
+    if (const auto outcome = observe<OrbitObserver>(call, part_of(control, 0, share_of_orbits)); !outcome.is_done())
+        return outcome;
     const std::size_t groups = group_siblings(call.ensemble, members.get(), starts.get());
-    return for_each_piece(groups, static_cast<double>(size), part_of(control, share_of_orbits, 1), [&](Thread& thread, std::size_t group) {
-        const std::size_t first = starts[group], count = starts[group + 1] - first;
-        Siblings{call, members.get() + first, count, thread}.label();
-        thread.report(static_cast<double>(count));
-    });
+    return for_each_piece(groups, static_cast<double>(size), part_of(control, share_of_orbits, 1),
+                          [&](Thread& thread, std::size_t group) {
+                              const std::size_t first = starts[group], count = starts[group + 1] - first;
+                              Siblings{call, members.get() + first, count, thread}.label();
+                              thread.report(static_cast<double>(count));
+                          });
 }
 
 }  // namespace pendula

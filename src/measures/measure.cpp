@@ -8,7 +8,7 @@ namespace pendula {
 
 namespace {
 
-/// The states at successive strobes.
+/// Records the states at successive strobe times.
 struct SectionObserver {
     static constexpr bool has_tangent = false;
     const MeasureCall& call;
@@ -28,6 +28,7 @@ struct SectionObserver {
     void finish(const StrobedMembers&) noexcept {}
 };
 
+/// Measures the mean velocity from the first and the last state.
 struct MeanVelocityObserver {
     static constexpr bool has_tangent = false;
     const MeasureCall& call;
@@ -77,7 +78,8 @@ Refusal check_results(const MeasureInfo& info, const MeasureCall& call) noexcept
                 .value = static_cast<double>(call.columns.size()),
                 .least = static_cast<double>(info.columns.size())};
     for (std::size_t i = 0; i < info.columns.size(); ++i) {
-        const double values = static_cast<double>(rows_of(info.columns[i], call.strobe)) * static_cast<double>(call.ensemble.size);
+        const double values =
+            static_cast<double>(rows_of(info.columns[i], call.strobe)) * static_cast<double>(call.ensemble.size);
         if (const auto refusal = check_length(call.columns[i], values, info.columns[i].name)) return refusal;
     }
     return {};
@@ -99,7 +101,8 @@ std::size_t rows_of(const ResultColumn& column, const Strobe& strobe) noexcept {
 Outcome measure(Measure what, const Ensemble& ensemble, const Strobe& strobe, const Results& results,
                 const Control& control) noexcept {
     if (!(what >= Measure::section && what <= Measure::attractors))
-        return Refusal{.reason = Refusal::Reason::not_among, .name = "measure", .legal = "section, mean_velocity, lyapunov, attractors"};
+        return Refusal{
+            .reason = Refusal::Reason::not_among, .name = "measure", .legal = "section, mean_velocity, lyapunov, attractors"};
     const MeasureCall call{ensemble, strobe, results.columns()};
     if (const auto refusal = check(strobe)) return refusal;
     if (const auto refusal = check_call(ensemble, control)) return refusal;

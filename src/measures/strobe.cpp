@@ -18,7 +18,7 @@ namespace {
 constexpr double nan = __builtin_nan("");
 constexpr double two_pi = 2 * pi;
 
-/// Brings tangent vectors back to length 1 and counts their growth.
+/// Rescales the displacement of member i to length 1, and adds the logarithm of its growth.
 void renormalise(StrobedMembers& m, int i) noexcept {
     auto& d = m.chunk.tangent;
     const double d_omega = d.omega[i] / m.root_alpha[i];
@@ -28,10 +28,12 @@ void renormalise(StrobedMembers& m, int i) noexcept {
     d.omega[i] /= length;
 }
 
-/// Takes members over their lengths [s] from time 0, by rk4.
+/// Integrates members by rk4 from time 0 over their lengths of time [s]. Returns false if the call was stopped.
 bool take_steps(StrobedMembers& m, const Row& length, const Way& way) noexcept {
-    // Between looks at whether to go on, and between renormalisations: within stability a step changes a tangent vector's
-    // length by a factor from 0.27 to e, and 256 of them by none that leaves the range of doubles.
+    // The number of steps between two checks for cancellation, and between two rescalings of the displacement. Within the
+    // stability bounds one step multiplies the length of a displacement by 0.27 at least, so that 256 steps do not underflow:
+    // 0.27^256 = 2^-484. The largest factor is 14.2, for sqrt(alpha + |pivot_amplitude|) h = 2.82 and reversed gravity. Over
+    // 256 such steps the square of the length overflows, and the exponent is NaN.
     constexpr int most = 8 * kernels::block_steps;
     constexpr Row start = {};
     return rk4_over(m.chunk, start, length, way.strobe.steps_per_period, way.has_tangent, most, way.thread, [&] {
@@ -39,7 +41,8 @@ bool take_steps(StrobedMembers& m, const Row& length, const Way& way) noexcept {
     });
 }
 
-/// Times at which a member's tangent vector is renormalised on its way: before it can grow or shrink by more than e^64.
+/// The number of pieces into which the time is divided, with a rescaling of the displacement after each: in one piece it grows
+/// or shrinks by at most a factor e^64.
 double piece_count(const StrobedMembers& m, int i, double length) noexcept {
     const auto& p = m.chunk.parameters;
     const double pieces = ceiling(length * (sqrt(p.alpha[i] + abs(p.pivot_amplitude[i])) + p.beta[i]) / 64);
@@ -57,7 +60,8 @@ bool take_taylor_steps(StrobedMembers& m, const Row& length, const Way& way) noe
     kernels::TaylorChunk steps;
     for (double piece = 0; piece < longest; ++piece) {
         const Chunk before = m.chunk;
-        for (int i = 0; i < chunk_size; ++i) target[i] = piece + 1 < pieces[i] ? (piece + 1) / pieces[i] * length[i] : length[i];
+        for (int i = 0; i < chunk_size; ++i)
+            target[i] = piece + 1 < pieces[i] ? (piece + 1) / pieces[i] * length[i] : length[i];
         start_taylor(steps, m.chunk, way.strobe.tolerance, start);
         if (!taylor_to(m.chunk, steps, target, way.has_tangent, way.thread)) return false;
         for (int i = 0; i < m.chunk.count; ++i) {
@@ -71,7 +75,8 @@ bool take_taylor_steps(StrobedMembers& m, const Row& length, const Way& way) noe
     return true;
 }
 
-/// Takes members over their lengths [s], and rounds their states to the doubles that are reported.
+/// Integrates members over their lengths of time [s], and rounds their states to the doubles that are reported. Returns false
+/// if the call was stopped.
 bool go(StrobedMembers& m, const Row& length, const Way& way) noexcept {
     if (!(way.strobe.method == Method::taylor ? take_taylor_steps(m, length, way) : take_steps(m, length, way))) return false;
     for (int i = 0; i < chunk_size; ++i) m.chunk.motion.theta_lo[i] = m.chunk.motion.omega_lo[i] = 0;

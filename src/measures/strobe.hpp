@@ -1,4 +1,4 @@
-// Members of an ensemble on their way from strobe to strobe, and the driver of every measure.
+// Members of an ensemble at successive strobe times, and the driver of every measure.
 #pragma once
 
 #include "ensemble/members.hpp"
@@ -6,15 +6,15 @@
 
 namespace pendula {
 
-/// A chunk of members at a strobe.
+/// A chunk of members at a strobe time.
 struct StrobedMembers : Members {
     kernels::Row frequency;   ///< of the strobe [rad/s]
-    kernels::Row period;      ///< [s]
-    kernels::Row root_alpha;  ///< unit of d omega beside d theta [s^-1]
-    kernels::Row growth;  ///< ln of how much tangent vectors have grown; they themselves are kept at length 1
+    kernels::Row period;      ///< of the strobe [s]
+    kernels::Row root_alpha;  ///< sqrt(alpha), the unit of d omega in the length of a displacement [s^-1]
+    kernels::Row growth;      ///< the logarithm of the growth of the displacements, which are rescaled to length 1
 };
 
-/// How members get to the next strobe, and on which thread.
+/// How members are integrated to the next strobe time, and by which thread.
 struct Way {
     const Strobe& strobe;
     Thread& thread;
@@ -24,12 +24,14 @@ struct Way {
 /// Loads members first, first + 1, ... at t = 0.
 void load_strobed(StrobedMembers& members, const Ensemble& ensemble, std::size_t first) noexcept;
 
-/// Takes members to the first strobe, without their tangent vectors. False when stopped, like all below.
+/// Integrates members to the first strobe time, without their displacements. This function and the next return false if the
+/// call was stopped.
 bool go_to_first_strobe(StrobedMembers& members, const Way& way) noexcept;
 
+/// Integrates members to the next strobe time, and their displacements if has_tangent is true.
 bool go_to_next_strobe(StrobedMembers& members, const Way& way) noexcept;
 
-/// One call of `measure`, as observers see it.
+/// The arguments of one call of `measure`.
 struct MeasureCall {
     const Ensemble& ensemble;
     const Strobe& strobe;
@@ -40,12 +42,12 @@ struct MeasureCall {
     }
 };
 
-/// Runs an observer of every chunk of members, on several threads. An observer is made from the call and has
-///     static constexpr bool has_tangent             whether tangent vectors are needed
-///     bool start(StrobedMembers&)                   after the transient
-///     bool at_strobe(const StrobedMembers&, done)   after each of the periods measured, `done` of them by now
-///     void finish(const StrobedMembers&)            writes what is left to write
-/// where false says that nothing more is to be seen.
+/// Runs one observer for every chunk of members, on several threads. An observer is constructed from the call and has
+///     static constexpr bool has_tangent             whether displacements are integrated
+///     bool start(StrobedMembers&)                   called after the transient
+///     bool at_strobe(const StrobedMembers&, done)   called after each measured period; `done` is their number so far
+///     void finish(const StrobedMembers&)            called at the end; writes the remaining results
+/// If start or at_strobe returns false, the remaining periods are skipped.
 template <class Observer>
 Outcome observe(const MeasureCall& call, const Control& control) noexcept {
     const Strobe& strobe = call.strobe;
@@ -73,7 +75,8 @@ Outcome observe(const MeasureCall& call, const Control& control) noexcept {
     });
 }
 
-/// A part of a call, whose progress goes from one fraction of the whole to another. The control given has to outlive it.
+/// A control for a part of a call: its progress runs from one fraction of the whole call to another. The given control must
+/// outlive it.
 inline Control part_of(const Control& control, double from, double to) noexcept {
     return {control.threads, [&control, from, to](double done) { return control.proceed(from + done * (to - from)); }};
 }

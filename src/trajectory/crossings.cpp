@@ -30,13 +30,15 @@ Polynomial derivative(const Polynomial& p) noexcept {
     return d;
 }
 
+/// True if |a[0]| > sum |a[k]|, so that p has no zero on [0, 1].
 bool keeps_its_sign(const Polynomial& p) noexcept {
     double others = 0;
     for (int k = 1; k < p.terms; ++k) others += abs(p.a[k]);
     return abs(p.a[0]) > others;
 }
 
-/// Where a monotone function changes its sign between two points, by bisection: 64 halvings leave no double between them.
+/// The point between `low` and `high` where p, which is monotone there, changes its sign. By bisection: after 64 halvings the
+/// points are adjacent doubles.
 double change_between(const Polynomial& p, double low, double high) noexcept {
     const bool rises = p(low) < 0;
     for (int i = 0; i < 64; ++i) {
@@ -46,9 +48,9 @@ double change_between(const Polynomial& p, double low, double high) noexcept {
     return high;
 }
 
-/// The points of (0, 1) where p changes its sign, in order. Between two sign changes of its derivative p is monotone and has at
-/// most one. Those of the derivative are found in the same way, by recursion, until a polynomial has |a[0]| > sum |a[k]| and
-/// keeps its sign on [0, 1], at the latest a constant.
+/// The points of (0, 1) where p changes its sign, in ascending order. Between two sign changes of its derivative p is monotone
+/// and changes its sign at most once. The sign changes of the derivative are found by recursion. It ends at a polynomial with
+/// |a[0]| > sum |a[k]|, which keeps its sign on [0, 1], or at a constant.
 int sign_changes(const Polynomial& p, double (&points)[most_terms]) noexcept {
     if (p.terms < 2 || keeps_its_sign(p)) return 0;
     double cuts[most_terms];
@@ -59,14 +61,14 @@ int sign_changes(const Polynomial& p, double (&points)[most_terms]) noexcept {
     for (int i = 0; i < cut_count; ++i) {
         const double next = p(cuts[i]);
         if ((value < 0 && next > 0) || (value > 0 && next < 0)) points[count++] = change_between(p, low, cuts[i]);
-        if (next == 0) continue;  // the sign of p before this point still counts
+        if (next == 0) continue;  // p keeps the sign that it had before this point
         low = cuts[i];
         value = next;
     }
     return count;
 }
 
-/// Cuts the step where the derivative of what is crossed changes its sign, and at its end.
+/// Divides the step at the points where the derivative of the crossed quantity changes its sign.
 void cut_step(Crossings& search) noexcept {
     const Taylor& run = search.run;
     Polynomial v{{}, run.order + 1};
@@ -80,14 +82,14 @@ void cut_step(Crossings& search) noexcept {
     search.cut = 0;
 }
 
-/// Twice the level of what is crossed where it is upon one, and the odd number between two levels elsewhere.
+/// Twice the level if the crossed quantity is exactly on it; 2 m + 1 if it is between the levels m and m + 1.
 double side_of(Crossed crossed, const auto& m) noexcept {
     const double x = crossed == Crossed::theta ? m.theta : m.omega;
     const double sign = x > 0 ? 1 : x < 0 ? -1 : 0;
     return crossed == Crossed::theta ? 2 * m.turns + sign : sign;
 }
 
-/// What is crossed, from the level, and its rate of change.
+/// The difference between the crossed quantity and the level, and its rate of change.
 struct Departure {
     double value;
     double rate;
@@ -101,10 +103,10 @@ Departure departure(const Crossings& search, const TaylorPolynomial& step, doubl
     return {m.omega + m.omega_lo, slope / (step.unit * step.unit)};
 }
 
-/// When a level is crossed between two times of the step, by safeguarded Newton iteration: Newton's steps and bisections take
-/// turns, and a Newton step out of the bracket is replaced by a bisection. 128 iterations leave no double in the bracket.
-double time_of_crossing(const Crossings& search, const TaylorPolynomial& step, double low, double high,
-                        double level) noexcept {
+/// The time at which the level is crossed, between two times of the step, by safeguarded Newton iteration: Newton steps
+/// alternate with bisections, and a Newton step that leaves the bracket is replaced by a bisection. After 128 iterations the
+/// ends of the bracket are adjacent doubles.
+double time_of_crossing(const Crossings& search, const TaylorPolynomial& step, double low, double high, double level) noexcept {
     const bool rises = side_of(search.crossed, motion_at(step, low)) < level;
     double since = 0.5 * (low + high);
     for (int iteration = 0; iteration < 128; ++iteration) {
@@ -123,7 +125,8 @@ Sample sample_at(const TaylorPolynomial& step, double since) noexcept {
     return {(DoubleDouble<double>{step.t, step.t_lo} + since).hi, m.theta, m.omega, m.turns};
 }
 
-/// The crossing of the next level on the way to the cut at which the search is, if that is beyond one.
+/// Searches the present part of the step. Returns true and the crossing if the next level is crossed there at a time up to
+/// `until`. If the crossing is later, returns false; if there is none, moves on to the next part and returns false.
 bool crosses(Crossings& search, const TaylorPolynomial& step, double until, Crossing& crossing) noexcept {
     const double end = search.cuts[search.cut], side = side_of(search.crossed, motion_at(step, end));
     const bool is_even = side == 2 * round_even(0.5 * side);
@@ -162,7 +165,7 @@ bool next_crossing(Crossings& search, double until, Crossing& crossing, double s
         while (search.cut < search.cut_count) {
             const int cut = search.cut;
             if (crosses(search, search.run.step, until, crossing)) return true;
-            if (search.cut == cut) return false;  // the crossing lies beyond `until`
+            if (search.cut == cut) return false;  // the next crossing is later than `until`
         }
         if (!goes_on_to(search.run, until) || --step_budget < 0) return false;
         step(search.run);

@@ -1,4 +1,4 @@
-// The kernels for one pendulum: what the public functions and the runs of one trajectory share.
+// The kernels for one pendulum, as the public functions and the runs of one trajectory use them.
 #pragma once
 
 #include "kernels/rk4_kernel.hpp"
@@ -7,12 +7,12 @@
 
 namespace pendula {
 
-/// Kernels' structs of doubles have the layout of the public ones.
+/// Conversions between the public structs and the structs of the kernels with T = double, which have the same layout.
 inline kernels::Parameters<double> parameters_of(const Pendulum& p) noexcept {
     return __builtin_bit_cast(kernels::Parameters<double>, p);
 }
 
-/// Runge-Kutta steps from the time row_time + first h, in blocks counted from the row.
+/// Makes Runge-Kutta steps from the time row_time + first h, in blocks that are counted from the row.
 inline void rk4_steps(const kernels::Rk4Step<double>& step, double row_time, double first, kernels::Motion<double>& x,
                       int steps) noexcept {
     kernels::Tangent<double> none{};
@@ -23,7 +23,7 @@ inline void rk4_steps(const kernels::Rk4Step<double>& step, double row_time, dou
     }
 }
 
-/// Whether Taylor's method has to step on towards time t. Makes NaN of a motion that would take more than 2^53 steps to it.
+/// Whether another Taylor step is needed to reach time t. A motion that needs more than 2^53 steps becomes NaN.
 inline bool goes_on_to(Taylor& run, double t) noexcept {
     if (reaches(run, t)) return false;
     kernels::give_up_endless(run.step, t);

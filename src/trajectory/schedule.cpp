@@ -6,7 +6,7 @@ namespace pendula {
 
 namespace {
 
-constexpr double slack = 1e-9;  // relative, in counting rows and steps: 1/0.02 is 50 rows
+constexpr double slack = 1e-9;  // relative tolerance of the numbers of rows and steps, so that 1/0.02 gives 50 rows
 
 }  // namespace
 

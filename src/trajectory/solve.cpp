@@ -14,7 +14,7 @@ Sample current(const Trajectory& run) noexcept {
     return {run.problem.schedule.time_of(run.rows_done), run.motion.theta, run.motion.omega, run.motion.turns};
 }
 
-/// Rows of the closed form, or of a pendulum that stays where it is.
+/// Computes rows of the closed form, or of a pendulum at rest, up to one batch.
 std::size_t evaluate(Trajectory& run, std::span<Sample> rows) noexcept {
     double t[batch] = {}, theta[batch], omega[batch], turns[batch];
     const double left = run.problem.schedule.rows - run.rows_done;
@@ -28,7 +28,7 @@ std::size_t evaluate(Trajectory& run, std::span<Sample> rows) noexcept {
     return count;
 }
 
-/// The way to the next row: so many equal steps over a length of time.
+/// A length of time that is divided into equal steps.
 struct Segment {
     double start = 0, length = 0;  ///< [s]
     double steps = 0;
@@ -42,7 +42,7 @@ Segment segment_to_next_row(const Trajectory& run) noexcept {
     return s.first > 0 ? Segment{0, s.first, s.steps_to_first} : Segment{};
 }
 
-/// Steps of the methods that need no more than a state.
+/// Makes steps of a one-step method, and wraps the angle after each.
 template <class Step>
 void plain_steps(Trajectory& run, double t, double h, int steps, Step step) noexcept {
     State state{run.motion.theta, run.motion.omega};
@@ -57,7 +57,8 @@ void plain_steps(Trajectory& run, double t, double h, int steps, Step step) noex
     run.motion.omega = state.omega;
 }
 
-/// Steps towards the next row, in whole blocks counted from the last row, so that no caller can move them.
+/// Makes steps towards the next row, in whole blocks that are counted from the last row. So the blocks, and with them the bits,
+/// do not depend on the budget of the caller.
 int take_steps(Trajectory& run, const Segment& way) noexcept {
     constexpr int most = 64 * kernels::block_steps;
     const double left = way.steps - run.steps_done, h = way.step();
@@ -74,7 +75,7 @@ int take_steps(Trajectory& run, const Segment& way) noexcept {
     return steps;
 }
 
-/// Rows by dense output; a row never makes a step end.
+/// Computes rows from the polynomials of the steps. The steps do not depend on the times of the rows.
 std::size_t taylor_rows(Trajectory& run, std::span<Sample> rows, double step_budget) noexcept {
     std::size_t count = 0;
     for (; count < rows.size() && !run.is_finished(); ++count) {
@@ -100,10 +101,11 @@ Refusal check(const Schedule& s) noexcept {
     return check_count("steps_per_row", s.steps_per_row, 1);
 }
 
-/// Whether the closed form is carried to time t.
+/// Refuses times after the latest time of the closed form.
 Refusal check_latest(const Pendulum& p, State initial, double t) noexcept {
-    constexpr double surely = 0x1p20;  // periods: see `latest_time`
-    const double periods = t * (arithmetic::abs(initial.omega) + 2 * arithmetic::sqrt(p.alpha)) / (2 * pi);  // at most
+    constexpr double surely = 0x1p20;  // in periods; no latest time is earlier: see `latest_time`
+    const double periods = t * (arithmetic::abs(initial.omega) + 2 * arithmetic::sqrt(p.alpha)) /
+                           (2 * pi);  // an upper bound: |omega| <= |omega0| + 2 sqrt(alpha)
     if (periods <= surely) return {};
     const double latest = latest_time(make_exact(p.alpha, initial));
     return t <= latest ? Refusal{} : Refusal{.reason = Refusal::Reason::too_late, .name = "t", .value = t, .most = latest};
@@ -113,7 +115,8 @@ Refusal check_latest(const Pendulum& p, State initial, double t) noexcept {
 
 Refusal check(const Pendulum& p, Method method, double tolerance) noexcept {
     using enum Refusal::Reason;
-    if (!(method >= Method::rk4 && method <= Method::exact)) return {.reason = not_among, .name = "method", .legal = "rk4, euler, verlet, taylor, exact"};
+    if (!(method >= Method::rk4 && method <= Method::exact))
+        return {.reason = not_among, .name = "method", .legal = "rk4, euler, verlet, taylor, exact"};
     if (method == Method::exact && !is_conservative(p)) return {.reason = not_conservative, .name = "exact"};
     if (method == Method::verlet && p.beta != 0) return {.reason = has_friction, .name = "verlet", .value = p.beta};
     return check_rule("tolerance", tolerance, Rule::fraction);

@@ -54,6 +54,6 @@ void pendula::kernels::start_taylor(TaylorChunk& steps, const Chunk& chunk, doub
     for (int i = 0; i < chunk_size; ++i) {
         steps.step.t[i] = t[i];
         steps.step.unit[i] = 1;
-        steps.tangent.u[1][i] = chunk.tangent.omega[i];  // a step of no length: its displacement is read from the series
+        steps.tangent.u[1][i] = chunk.tangent.omega[i];  // the displacement of a step of length 0 is read from its series
     }
 }

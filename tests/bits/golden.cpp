@@ -1,6 +1,6 @@
-// Solves a fixed set of problems and prints, for each section, a hash of the bits of all its results. The hashes are the
-// same wherever the core is built: see tests/bits/test_bits.py. `golden SECTION` lists the results instead of hashing them.
-// Only headers of the language and of pendula: in a WebAssembly module without imports there is nothing else.
+// Solves a fixed set of problems and prints, for each section, a hash of the bits of all its results. The hashes are the same
+// for every build of the core: see tests/bits/test_bits.py. `golden SECTION` prints the results instead of their hash. This
+// file includes only headers of the language and of pendula, because a WebAssembly module without imports has no others.
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -19,7 +19,7 @@ namespace {
 
 void (*listener)(double) = nullptr;
 
-// FNV-1a, 64 bits, over the bytes of doubles, least significant first. -0 is not 0, and all NaNs are one.
+// The hash FNV-1a with 64 bits, over the bytes of doubles, least significant first. -0 and 0 differ; all NaNs are equal.
 struct Hash {
     std::uint64_t value = 0xcbf29ce484222325;
 
@@ -41,7 +41,7 @@ struct Hash {
     }
 };
 
-// Numbers in [0, 1) by Knuth's MMIX generator: integers only, hence the same everywhere.
+// Random numbers in [0, 1) by Knuth's MMIX generator, which uses only integers and gives the same numbers everywhere.
 struct Random {
     std::uint64_t state = 1;
 
@@ -50,7 +50,7 @@ struct Random {
         return static_cast<double>(state >> 11) * 0x1p-53;
     }
     double operator()(double first, double last) { return first + (last - first) * (*this)(); }
-    // 2^n with n uniform in [first, last], times a number in [1, 2), of either sign.
+    // 2^n times a number in [1, 2), of either sign; n is uniform in [first, last].
     double wide(int first, int last) {
         const auto n = first + static_cast<int>((*this)() * (last - first + 1));
         const double power = std::bit_cast<double>(static_cast<std::uint64_t>(1023 + n) << 52);
@@ -67,7 +67,8 @@ constexpr double hostile[] = {0,    -0.0, 1,      -1,   pi,     -pi,     pi / 2,
 
 constexpr double alphas[] = {1, 9.81, 0x1p-40};
 
-// In units of sqrt(alpha): small, large, either side of the separatrix and on it, rotating slowly, fast and backwards.
+// Initial states, omega in units of sqrt(alpha): small and large, on the separatrix and on either side of it, and slow, fast
+// and backward rotations.
 constexpr State states[] = {
     {0, 0},       {1e-9, 0},  {0.001, 0}, {pi / 2, 0}, {2.5, -0.3},  {3, 0},      {3.14159, 0}, {0, 1.999999895801368},
     {0, 2},       {0, -2},    {1, -1.75}, {pi, 0},     {-pi, 1e-12}, {3.1, 0.1},  {0.001, 2},   {0, 2.0000000000001},
@@ -103,7 +104,12 @@ void energies(Hash& hash) {
     for (int i = 0; i < 2000; ++i) {
         const State s{random.wide(-30, 60), random.wide(-30, 10)};
         hash(energy(9.81, s));
-        hash(acceleration({.alpha = 9.81, .beta = 0.5, .torque = 0.1, .drive_amplitude = 1.5, .drive_frequency = 2.0 / 3, .drive_phase = 0.25},
+        hash(acceleration({.alpha = 9.81,
+                           .beta = 0.5,
+                           .torque = 0.1,
+                           .drive_amplitude = 1.5,
+                           .drive_frequency = 2.0 / 3,
+                           .drive_phase = 0.25},
                           s, random(0, 1000)));
         hash(unwrapped({0, s.theta, s.omega, random(-1e6, 1e6)}));
     }
@@ -120,7 +126,7 @@ void analyses(Hash& hash) {
     Random random;
     for (int i = 0; i < 5000; ++i) {
         const double alpha = random(0.1, 10);
-        const State s{random(-4, 4), random(-8, 8)};  // braces evaluate from left to right, arguments of functions as they like
+        const State s{random(-4, 4), random(-8, 8)};  // braces evaluate from left to right, function arguments in any order
         hash(analyze(alpha, s));
     }
     for (int i = 0; i < 5000; ++i) {  // near the separatrix
@@ -133,7 +139,7 @@ void analyses(Hash& hash) {
             for (double omega : hostile) hash(analyze(alpha, {theta, omega}));
 }
 
-constexpr std::size_t times = 1003;  // not a multiple of any pack's width
+constexpr std::size_t times = 1003;  // not a multiple of the width of any pack
 
 template <class Visit>
 void for_each_orbit(Visit visit) {
@@ -175,7 +181,7 @@ void sinusoids(Hash& hash) {
     });
 }
 
-// All rows of a problem with times given as factors of tau, asked for in groups of `group` rows and `budget` steps.
+// Hashes all rows of a problem whose times are factors of tau, computed by calls for `group` rows and `budget` steps each.
 void rows(Hash& hash, Method method, double alpha, State initial, Times factors, std::size_t group, double budget) {
     const double tau = analyze(alpha, initial).tau;
     Trajectory run = begin({.pendulum = {.alpha = alpha},
@@ -219,7 +225,8 @@ void assignment(Hash& hash) {
     });
 }
 
-// Pendulums with friction, torque and drive, one of them not legal, and conservative ones in closed form.
+// Pendulums with friction, torque and drive, by rk4 and by taylor, and conservative ones by the closed form. Member 100 is
+// hashed as NaN.
 template <int threads>
 void ensembles(Hash& hash) {
     constexpr std::size_t size = 307, row_count = 5;
@@ -254,7 +261,8 @@ void ensembles(Hash& hash) {
     visit({.size = size, .theta = theta, .omega = omega, .alpha = alpha}, Method::exact);
 }
 
-// The published pendulum, regular and chaotic, over 1,000 periods of its drive: by then a last bit has become another answer.
+// The driven pendulum of Baker and Blackburn, regular and chaotic, over 1,000 periods of its drive: by then a difference in the
+// last bit has changed the whole result.
 constexpr double amplitudes[] = {0.9, 1.07, 1.15, 1.35, 1.45, 1.47, 1.5, 1.5};
 constexpr std::size_t driven = sizeof(amplitudes) / sizeof(*amplitudes);
 
@@ -329,7 +337,7 @@ constexpr int section_count = sizeof(sections) / sizeof(*sections);
 
 }  // namespace
 
-// "name hash" of a section; nullptr past the last.
+// Returns "name hash" for a section, or nullptr after the last section.
 extern "C" EXPORT(report) const char* report(int section) {
     if (section >= section_count) return nullptr;
     Hash hash;
@@ -349,7 +357,7 @@ extern "C" EXPORT(report) const char* report(int section) {
 
 #include "pendula/version.hpp"
 
-// `golden --isa` prints the instruction set that runs.
+// `golden --isa` prints the instruction set in use.
 int main(int argc, char** argv) {
     if (argc > 1 && std::strcmp(argv[1], "--isa") == 0) {
         const char* const isa = instruction_set();

@@ -77,7 +77,8 @@ void analyze_sweep(Analyzer& analyzer, const Sweep& sweep) {
         return show_and_go_on(progress, (static_cast<double>(member) + fraction) / static_cast<double>(sweep.size));
     };
     for (; member < sweep.size; ++member) {
-        const Analysis analysis = analyze_one(analyzer, pendulum_of(sweep, member), initial_state_of(sweep, member), {}, proceed);
+        const Analysis analysis =
+            analyze_one(analyzer, pendulum_of(sweep, member), initial_state_of(sweep, member), {}, proceed);
         open_output(analyzer, names);
         char* const at = room(analyzer.writer, row_room);
         commit(analyzer.writer, put_analysis(put_swept(at, style, sweep, member), style, analysis));
@@ -88,8 +89,8 @@ void analyze_sweep(Analyzer& analyzer, const Sweep& sweep) {
 
 /// A bad line's message in its place.
 void append_error(Analyzer& analyzer, const std::string& message) {
-    append(analyzer.writer, analyzer.style.format == Format::json ? "{\"error\":" + json_string(message) + "}\n"
-                                                                  : "ERROR: " + message + '\n');
+    append(analyzer.writer,
+           analyzer.style.format == Format::json ? "{\"error\":" + json_string(message) + "}\n" : "ERROR: " + message + '\n');
 }
 
 Status analyze_lines(Analyzer& analyzer) {

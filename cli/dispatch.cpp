@@ -18,10 +18,12 @@ namespace fs = std::filesystem;
 constexpr std::string_view prefix = "pendula-";
 constexpr std::size_t longest_path = 4096;
 
-/// The directories that `pendula-NAME` is looked for in: the program's own, and those of PATH that do not depend on where one is.
+/// The directories that `pendula-NAME` is looked for in: the program's own, and those of PATH that do not depend on where one
+/// is.
 std::vector<fs::path> directories() {
     std::error_code error;
-    std::vector<fs::path> found{fs::read_symlink("/proc/self/exe", error).parent_path()};
+    std::vector<fs::path> found;
+    if (const auto own = fs::read_symlink("/proc/self/exe", error); own.is_absolute()) found.push_back(own.parent_path());
     const char* const path = std::getenv("PATH");
     std::string_view rest = path ? path : "";
     while (!rest.empty()) {
@@ -94,7 +96,8 @@ void run_other(std::string_view name, std::span<const std::string_view> argument
         const fs::path file = directory / program;
         std::error_code error;
         if (may_run(file)) {
-            execvp(file.c_str(), argv.data());  // the whole path, so that only a script without a first line "#!" is treated otherwise
+            execvp(file.c_str(),
+                   argv.data());  // the whole path, so that only a script without a first line "#!" is treated otherwise
             refuse_found(file, obstacle(file, errno));
         }
         if (fs::is_regular_file(file, error)) closed = file;

@@ -35,8 +35,9 @@ Strobe read_strobe(const MeasureInfo& info, const Options& options) {
 int read_threads(const Options& options) {
     const double threads = number_of(options, "--threads", Rule::finite, 0);
     if (is_given(options, "--threads") && !(threads >= 1 && threads <= threads_limit && threads == static_cast<int>(threads)))
-        throw Failure{Status::bad_usage,
-                      say({.reason = Refusal::Reason::whole, .value = threads, .least = 1, .most = threads_limit}, "--threads")};
+        throw Failure{
+            Status::bad_usage,
+            say({.reason = Refusal::Reason::whole, .value = threads, .least = 1, .most = threads_limit}, "--threads")};
     return static_cast<int>(threads);
 }
 
@@ -124,7 +125,8 @@ std::vector<std::vector<double>> results_of(Run& run, const Ensemble& ensemble, 
 }
 
 /// The rows of a member at hand, number `i` of the results.
-void append_rows(Run& run, const std::vector<std::vector<double>>& results, std::size_t i, std::size_t first, std::size_t rows) {
+void append_rows(Run& run, const std::vector<std::vector<double>>& results, std::size_t i, std::size_t first,
+                 std::size_t rows) {
     for (std::size_t row = first; row < rows; ++row) {
         char* at = room(run.writer, run.row_style.leads.size() * field_room);
         at = put_swept(at, run.row_style, run.sweep, run.done + i);

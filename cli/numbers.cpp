@@ -87,8 +87,9 @@ Parsed parse_number(std::string_view name, std::string_view text, Rule rule) {
                                    std::string(name) + ' ' + in_quotes(text));
             break;
         case Spelling::out_of_range:
-            parsed.wrong = wrong_text(name, text, say({"its size must lie between 5e-324 and 1.8e308",
-                                                       "su tamaño debe estar entre 5e-324 y 1.8e308"}));
+            parsed.wrong = wrong_text(
+                name, text,
+                say({"its size must lie between 5e-324 and 1.8e308", "su tamaño debe estar entre 5e-324 y 1.8e308"}));
             break;
         case Spelling::bad:
             parsed.wrong = wrong_text(name, text, diagnosis(text));
@@ -103,7 +104,8 @@ Parsed parse_angle(std::string_view name, std::string_view text, std::string_vie
     if (is_in_degrees) parsed.value = to_radians(parsed.value);
     if (parsed.wrong.empty()) return parsed;
     const std::string meant = in_plain_characters(text, "deg");
-    if (meant.find("deg") != text.find("deg") && meant.ends_with(suffix) && is_number(meant.substr(0, meant.size() - suffix.size())))
+    if (meant.find("deg") != text.find("deg") && meant.ends_with(suffix) &&
+        is_number(meant.substr(0, meant.size() - suffix.size())))
         parsed.wrong = wrong_text(
             name, text, say({"it has a degree sign; write {0}", "tiene el signo de grado; escribe {0}"}, {in_quotes(meant)}));
     else

@@ -44,8 +44,8 @@ const Parameter& swept_parameter(std::size_t i);
 
 struct Option {
     std::string name;
-    unsigned commands;      ///< that take it
-    const char* value = ""; ///< a letter for what stands behind it, in the manual, which has a line for each option with one
+    unsigned commands;       ///< that take it
+    const char* value = "";  ///< a letter for what stands behind it, in the manual, which has a line for each option with one
     Words meaning = {"", ""};
     std::string otherwise = {};
 };

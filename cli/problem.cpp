@@ -9,8 +9,9 @@ namespace {
 /// Times that overflow or underflow only as a factor times the pendulum's own time.
 void require_time(double time, const Duration& duration, double unit, const Source& source, const Words& name) {
     if (!satisfies(Rule::positive, time))
-        refuse(source, say({"{0}, {1} times {2} s, is out of the range of doubles", "{0}, {1} por {2} s, se sale del rango de double"},
-                           {say(name), shown(duration.value), shown(unit)}));
+        refuse(source,
+               say({"{0}, {1} times {2} s, is out of the range of doubles", "{0}, {1} por {2} s, se sale del rango de double"},
+                   {say(name), shown(duration.value), shown(unit)}));
 }
 
 }  // namespace

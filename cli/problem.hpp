@@ -9,8 +9,8 @@
 
 namespace pendula::cli {
 
-/// Where a problem was stated: messages begin with the place, "problem 2, line 5: " on standard input. What is wrong with options
-/// is bad usage.
+/// Where a problem was stated: messages begin with the place, "problem 2, line 5: " on standard input. What is wrong with
+/// options is bad usage.
 struct Source {
     Status status = Status::bad_usage;
     std::string place = {};

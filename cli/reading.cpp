@@ -70,7 +70,8 @@ std::string take(const Field& field, const std::string& token, double* value) {
     }
     if (token == "s") value[-1] = to_radians(value[-1]);
     if (token == "r" || token == "s") return {};
-    return wrong(say({"it must be r (radians) or s (sexagesimal degrees)", "debe ser r (radianes) o s (grados sexagesimales)"}));
+    return wrong(
+        say({"it must be r (radians) or s (sexagesimal degrees)", "debe ser r (radianes) o s (grados sexagesimales)"}));
 }
 
 std::string missing(std::span<const Field> absent, const Words& where) {

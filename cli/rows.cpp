@@ -1,10 +1,5 @@
 #include "cli/rows.hpp"
 
-#include <cmath>
-#include <cstring>
-
-#include "cli/numbers.hpp"
-
 namespace pendula::cli {
 
 namespace {
@@ -19,7 +14,8 @@ RowStyle row_style(const std::vector<std::string_view>& names, const Style& styl
     for (const auto name : names) {
         std::string lead(made.leads.empty() ? (is_json ? "{" : "") : separator(style.format));
         if (is_json) lead += json_string(name) + ':';
-        made.leads.push_back(std::move(lead));
+        Lead& kept = made.leads.emplace_back();
+        kept.size = lead.copy(kept.text.data(), kept.text.size());
     }
     return made;
 }
@@ -43,17 +39,6 @@ void add_member(std::string& object, std::string_view name, std::string_view tex
     object.append(",").append(json_string(name)).append(":").append(text);
 }
 
-void add_number(std::string& object, std::string_view name, double value) {
-    add_member(object, name, shown(value, full));
-}
-
-char* put_text(char* at, std::string_view text) {
-    return static_cast<char*>(std::memcpy(at, text.data(), text.size())) + text.size();
-}
-
-char* put_field(char* at, const RowStyle& style, std::size_t field, double value) {
-    at = put_text(at, style.leads[field]);
-    return style.is_json && !std::isfinite(value) ? put_text(at, "null") : put_number(at, value, style.precision);
-}
+void add_number(std::string& object, std::string_view name, double value) { add_member(object, name, shown(value, full)); }
 
 }  // namespace pendula::cli

@@ -1,9 +1,14 @@
 // Rows of numbers as text, csv or json: what every table of the program is spelled with.
 #pragma once
 
+#include <array>
+#include <cmath>
+#include <cstring>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "cli/numbers.hpp"
 
 namespace pendula::cli {
 
@@ -19,9 +24,15 @@ struct Style {
     int precision = 6;
 };
 
+/// What stands before a field; copied whole, which is faster than by its size.
+struct Lead {
+    std::array<char, 32> text{};
+    std::size_t size = 0;
+};
+
 /// How rows are spelled.
 struct RowStyle {
-    std::vector<std::string> leads;  ///< what stands before each field
+    std::vector<Lead> leads;
     std::string_view end;
     bool is_json;  ///< which knows no nan and no inf: they become null
     int precision;
@@ -40,12 +51,19 @@ void add_member(std::string& object, std::string_view name, std::string_view tex
 /// The same of a number in full precision.
 void add_number(std::string& object, std::string_view name, double value);
 
-/// The most bytes that `put_field` writes, names of at most 30 bytes included.
-inline constexpr std::size_t field_room = 64;
+/// The most bytes that `put_field` writes.
+inline constexpr std::size_t field_room = sizeof(Lead::text) + number_room;
 
 /// Both write at a place and return the end.
-char* put_text(char* at, std::string_view text);
+inline char* put_text(char* at, std::string_view text) {
+    return static_cast<char*>(std::memcpy(at, text.data(), text.size())) + text.size();
+}
+
 /// Field number `field` of a row, with what stands before it.
-char* put_field(char* at, const RowStyle& style, std::size_t field, double value);
+inline char* put_field(char* at, const RowStyle& style, std::size_t field, double value) {
+    const Lead& lead = style.leads[field];
+    at = put_text(at, {lead.text.data(), lead.text.size()}) - lead.text.size() + lead.size;
+    return style.is_json && !std::isfinite(value) ? put_text(at, "null") : put_number(at, value, style.precision);
+}
 
 }  // namespace pendula::cli

@@ -57,14 +57,11 @@ double value_at(const Range& range, std::size_t i) {
     return range.first + static_cast<double>(i) * ((range.last - range.first) / static_cast<double>(range.count - 1));
 }
 
-/// Which of its values a parameter has in a member.
+/// Which of its values a range has in a member.
 std::size_t index_of(const Sweep& sweep, std::size_t parameter, std::size_t member) {
-    for (auto range = sweep.ranges.rbegin(); range != sweep.ranges.rend(); ++range) {
-        const std::size_t n = sweep.values[*range].count;
-        if (*range == parameter) return member % n;
-        member /= n;
-    }
-    return 0;
+    auto range = sweep.ranges.rbegin();
+    for (; *range != parameter; ++range) member /= sweep.values[*range].count;
+    return member % sweep.values[parameter].count;
 }
 
 /// The same of one in the table of parameters, where gravity and length are alpha.
@@ -79,7 +76,8 @@ std::size_t size_of(const Sweep& sweep) {
     double size = 1;
     for (const std::size_t i : sweep.ranges) size *= static_cast<double>(sweep.values[i].count);
     if (size > 0x1p53)
-        throw bad_usage({"the ranges make {0} pendulums, more than 2^53", "los rangos dan {0} péndulos, más de 2^53"}, {shown(size)});
+        throw bad_usage({"the ranges make {0} pendulums, more than 2^53", "los rangos dan {0} péndulos, más de 2^53"},
+                        {shown(size)});
     return static_cast<std::size_t>(size);
 }
 
@@ -87,8 +85,8 @@ std::size_t size_of(const Sweep& sweep) {
 std::string place_of(const Sweep& sweep, std::size_t member) {
     std::vector<std::string> values;
     for (const std::size_t i : sweep.ranges)
-        values.push_back(say({"{0} is {1}", "{0} es {1}"},
-                             {option_of(swept_parameter(i).name), shown(value_of(sweep, i, member), full)}));
+        values.push_back(
+            say({"{0} is {1}", "{0} es {1}"}, {option_of(swept_parameter(i).name), shown(value_of(sweep, i, member), full)}));
     return values.empty() ? "" : say({"where {0}: ", "donde {0}: "}, {joined(values)});
 }
 
@@ -126,7 +124,8 @@ void require_theta0(const Options& options) {
 }
 
 double value_of(const Sweep& sweep, std::size_t parameter, std::size_t member) {
-    return value_at(sweep.values[parameter], index_of(sweep, parameter, member));
+    const Range& range = sweep.values[parameter];
+    return range.is_range ? value_at(range, index_of(sweep, parameter, member)) : range.first;
 }
 
 Pendulum pendulum_of(const Sweep& sweep, std::size_t member) {
@@ -165,6 +164,11 @@ Members members_of(const Sweep& sweep, std::size_t first, std::size_t count) {
     Members members;
     members.ensemble.size = count;
     for (std::size_t i = 0; i < parameter_count; ++i) {
+        const bool is_alpha_of_length = parameters[i].value == &Pendulum::alpha && sweep.has_length;
+        if (!sweep.values[i].is_range && !is_alpha_of_length) {
+            members.ensemble.*parameters[i].column = sweep.values[i].first;
+            continue;
+        }
         auto& column = members.columns[i];
         column.resize(count);
         for (std::size_t j = 0; j < count; ++j) column[j] = table_value_of(sweep, i, first + j);

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <memory>
 
-#include "cli/numbers.hpp"
 #include "cli/terminal.hpp"
 #include "pendula/angle.hpp"
 
@@ -24,8 +23,7 @@ bool is_of_closed_form(TableColumn column) {
 
 std::vector<TableColumn> columns_of(const Layout& layout, const std::optional<Analysis>& analysis) {
     if (!layout.columns.empty()) return layout.columns;
-    if (!analysis || analysis->regime != Regime::oscillation)
-        return {TableColumn::t, TableColumn::theta, TableColumn::omega};
+    if (!analysis || analysis->regime != Regime::oscillation) return {TableColumn::t, TableColumn::theta, TableColumn::omega};
     return {TableColumn::t, TableColumn::theta, TableColumn::omega, TableColumn::sine};
 }
 
@@ -85,7 +83,8 @@ double field(TableColumn column, const Block& at_hand, std::size_t i, const Traj
     return NAN;
 }
 
-/// Whether a row's columns are all numbers: the motion is within the doubles, and the closed form at its time, where it is printed.
+/// Whether a row's columns are all numbers: the motion is within the doubles, and the closed form at its time, where it is
+/// printed.
 bool is_finite(const Sample& row, double latest) {
     return std::isfinite(row.theta) && std::isfinite(row.omega) && row.t <= latest;
 }
@@ -106,11 +105,13 @@ std::size_t append_rows(Writer& writer, const Block& at_hand, std::size_t n, con
 /// Ends a run whose next row, number `row` from 0, is not finite.
 [[noreturn]] void refuse_infinite(Writer& writer, const Prepared& prepared, double row) {
     flush(writer);
-    throw Failure{Status::bad_data,
-                  prepared.source.place +
-                      say({"from row {0} on, t = {1} s, the motion is out of the range of doubles; the rows before it are printed",
-                           "desde la fila {0}, t = {1} s, el movimiento se sale del rango de double; las filas anteriores están escritas"},
-                          {shown(row + 1, full), shown(prepared.problem.schedule.time_of(row))})};
+    throw Failure{
+        Status::bad_data,
+        prepared.source.place +
+            say({"from row {0} on, t = {1} s, the motion is out of the range of doubles; the rows before it are printed",
+                 "desde la fila {0}, t = {1} s, el movimiento se sale del rango de double; las filas anteriores están "
+                 "escritas"},
+                {shown(row + 1, full), shown(prepared.problem.schedule.time_of(row))})};
 }
 
 double fraction_done(const Trajectory& run) {
@@ -126,7 +127,8 @@ void require_columns(const Prepared& prepared, const Layout& layout) {
     for (const TableColumn column : layout.columns)
         if (is_of_closed_form(column))
             if (const auto refusal = check(problem))
-                refuse(prepared.source, say(refusal, "exact (--columns " + std::string(table_columns[static_cast<int>(column)].name) + ')'));
+                refuse(prepared.source,
+                       say(refusal, "exact (--columns " + std::string(table_columns[static_cast<int>(column)].name) + ')'));
 }
 
 void print_table(Writer& writer, const Prepared& prepared, const Layout& layout, std::size_t number) {

@@ -5,7 +5,8 @@
 
 namespace pendula::cli {
 
-/// Makes SIGINT, SIGTERM and SIGHUP set a flag the first time; a second one kills. What the parent chose to ignore stays ignored.
+/// Makes SIGINT, SIGTERM and SIGHUP set a flag the first time; a second one kills. What the parent chose to ignore stays
+/// ignored.
 void catch_interruptions();
 
 bool is_interrupted();

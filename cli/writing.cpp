@@ -23,8 +23,8 @@ std::string name_of(const Writer& writer) {
 
 [[noreturn]] void fail(const Writer& writer, int error) {
     if (error == EPIPE) throw Failure{Status::done, {}};
-    throw Failure{Status::not_written,
-                  say({"{0} could not be written: {1}", "no se ha podido escribir {0}: {1}"}, {name_of(writer), reason(error)})};
+    throw Failure{Status::not_written, say({"{0} could not be written: {1}", "no se ha podido escribir {0}: {1}"},
+                                           {name_of(writer), reason(error)})};
 }
 
 /// Whether what is written would be read again, or takes the place of what is still to be read. Terminals, other devices and

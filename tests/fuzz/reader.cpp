@@ -43,7 +43,8 @@ void read_problems() {
         for (std::size_t number = 1; const auto statement = read_problem(tokens, number); ++number) {
             expect_legal(statement->pendulum, statement->initial);
             const auto& [dt, every, until] = statement->durations;
-            for (const Duration& factor : {dt, every, until}) expect(factor.is_factor && satisfies(Rule::positive, factor.value));
+            for (const Duration& factor : {dt, every, until})
+                expect(factor.is_factor && satisfies(Rule::positive, factor.value));
             expect(!check(prepare(*statement).problem));
         }
     } catch (const Failure& failure) {

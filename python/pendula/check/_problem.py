@@ -98,10 +98,9 @@ class Asked(NamedTuple):
 def asked(solved: Solved) -> Asked:
     """The problem as the program has read and solved it."""
     solution, every, until = solved
-    start = Start(solution.parameters.theta0, solution.parameters.omega0, solution.parameters.alpha)
-    return Asked(
-        start, start.regime, start.tau, solution.dt, every, until, t=solution.t, theta=solution.theta, omega=solution.omega
-    )
+    start = Start(*map(float, solution.parameters[:3]))
+    dt = float(solution.dt or np.nan)
+    return Asked(start, start.regime, start.tau, dt, every, until, t=solution.t, theta=solution.theta, omega=solution.omega)
 
 
 class Motion(NamedTuple):

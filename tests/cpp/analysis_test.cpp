@@ -105,8 +105,9 @@ TEST(CharacteristicTime, IsThePeriodOfTheMotionOfTheDriveOrOfSmallSwings) {
     EXPECT_EQ(characteristic_time({.alpha = 4, .drive_frequency = 3}, initial), analyze(4, initial).tau);  // of no account
     for (const Pendulum& p : {Pendulum{.alpha = 4, .beta = 0.1}, Pendulum{.alpha = 4, .torque = 0.1}})
         EXPECT_LE(ulps(characteristic_time(p, initial), {pi, pi_rest}), 4);
-    for (const Pendulum& p : {Pendulum{.drive_amplitude = 1, .drive_frequency = 0.5}, Pendulum{.pivot_amplitude = 1, .drive_frequency = 0.5},
-                              Pendulum{.beta = 1, .drive_amplitude = 1, .pivot_amplitude = 1, .drive_frequency = 0.5}})
+    for (const Pendulum& p :
+         {Pendulum{.drive_amplitude = 1, .drive_frequency = 0.5}, Pendulum{.pivot_amplitude = 1, .drive_frequency = 0.5},
+          Pendulum{.beta = 1, .drive_amplitude = 1, .pivot_amplitude = 1, .drive_frequency = 0.5}})
         EXPECT_LE(ulps(characteristic_time(p, initial), {4 * pi, 4 * pi_rest}), 4);
 }
 

@@ -44,7 +44,8 @@ TEST(Attractors, AreNumberedTheSameHoweverMembersAreOrdered) {
     for (auto* column : {&backward.label, &backward.rotation, &backward.theta}) std::ranges::reverse(*column);
 
     EXPECT_EQ(found.label, backward.label);
-    EXPECT_EQ(std::ranges::count(found.label, 1) + std::ranges::count(found.label, 2), static_cast<std::ptrdiff_t>(flock.size()));
+    EXPECT_EQ(std::ranges::count(found.label, 1) + std::ranges::count(found.label, 2),
+              static_cast<std::ptrdiff_t>(flock.size()));
     for (std::size_t i = 0; i < flock.size(); ++i) {  // two, by symmetry: theta, t -> -theta, t + half a period
         EXPECT_EQ(found.rotation[i], found.label[i] == 1 ? -1 : 1);
         EXPECT_EQ(found.period[i], 2);

@@ -1,12 +1,11 @@
 // Rows, steps, and the stream of rows.
-#include "pendula/pendula.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cstring>
 #include <random>
 
 #include "pendula/angle.hpp"
+#include "pendula/pendula.hpp"
 #include "trajectories.hpp"
 
 namespace {

@@ -49,13 +49,16 @@ const LongCall calls[] = {
     {"lyapunov by rk4", 20, 1e9, measure_of(Measure::lyapunov, Method::rk4)},
     {"lyapunov by taylor", 20, 1e9, measure_of(Measure::lyapunov, Method::taylor)},
     {"attractors", 20, 1e9, measure_of(Measure::attractors, Method::rk4)},
-    {"measured period", 2e4, 1e12, [](double length, const Control& control) {
+    {"measured period", 2e4, 1e12,
+     [](double length, const Control& control) {
          double period;
          return measured_period({}, {1, 0}, length, 1e-15, period, control);
      }},
-    {"measured period of what seldom crosses", 2e3, 1e12, [](double length, const Control& control) {
+    {"measured period of what seldom crosses", 2e3, 1e12,
+     [](double length, const Control& control) {
          double period;  // in a well about 0.52, which a weak drive does not leave
-         return measured_period({.torque = 0.5, .drive_amplitude = 0.1, .drive_frequency = 3}, {0.5, 0}, length, 1e-15, period, control);
+         return measured_period({.torque = 0.5, .drive_amplitude = 0.1, .drive_frequency = 3}, {0.5, 0}, length, 1e-15, period,
+                                control);
      }},
 };
 

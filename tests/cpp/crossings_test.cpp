@@ -1,11 +1,12 @@
 // Crossings found on the steps of Taylor's method: against the closed form, and where they are easily missed or doubled.
+#include "pendula/crossings.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <vector>
 
 #include "pendula/angle.hpp"
-#include "pendula/crossings.hpp"
 #include "pendula/exact.hpp"
 #include "reference_table.hpp"
 
@@ -149,7 +150,8 @@ TEST(Crossings, OfAGrazedLevelAreTwoOrNone) {
 TEST(Crossings, OfAParabolaThatTouches) {
     // alpha is so small that nothing is left but the drive: omega = 1 + least + sin(t), six times least by t = 40.
     const auto count = [](double least) {
-        return all_crossings({.alpha = 1e-30, .drive_amplitude = 1, .drive_frequency = 1}, {0.1, 1 + least}, Crossed::omega, 40).size();
+        return all_crossings({.alpha = 1e-30, .drive_amplitude = 1, .drive_frequency = 1}, {0.1, 1 + least}, Crossed::omega, 40)
+            .size();
     };
     EXPECT_EQ(count(1e-3), 0u);
     EXPECT_EQ(count(1e-9), 0u);

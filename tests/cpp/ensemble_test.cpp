@@ -20,11 +20,13 @@ struct Looks {
     EnsembleTimes times() const { return {first, every, row_count, steps_to_first, steps_per_row}; }
 };
 
-/// Members of every kind that a method takes, in no order: free, with friction, torque, drive or shaken pivot, at rest on top on
-/// several turns, and, where it may have a torque, one whose motion leaves the doubles.
+/// Members of every kind that a method takes, in no order: free, with friction, torque, drive or shaken pivot, at rest on top
+/// on several turns, and, where it may have a torque, one whose motion leaves the doubles.
 Flock mixed(Method method) {
     std::mt19937_64 random(1);
-    const auto uniform = [&](double from, double to) { return from + (to - from) * (static_cast<double>(random() >> 11) * 0x1p-53); };
+    const auto uniform = [&](double from, double to) {
+        return from + (to - from) * (static_cast<double>(random() >> 11) * 0x1p-53);
+    };
     Flock f{{}, {}, {}, {}, {}, {}, {}, {}, {}};
     for (std::size_t i = 0; i < most; ++i) {
         const bool is_free = method == Method::exact || i % 6 == 0, is_resting = i % 11 == 4;
@@ -47,10 +49,14 @@ Ensemble first_of(const Flock& flock, std::size_t size) {
     Ensemble e;
     e.size = size;
     const std::pair<Column Ensemble::*, const std::vector<double>*> columns[] = {
-        {&Ensemble::theta, &flock.theta}, {&Ensemble::omega, &flock.omega},
-        {&Ensemble::alpha, &flock.alpha}, {&Ensemble::beta, &flock.beta},
-        {&Ensemble::torque, &flock.torque}, {&Ensemble::drive_amplitude, &flock.drive_amplitude},
-        {&Ensemble::pivot_amplitude, &flock.pivot_amplitude}, {&Ensemble::drive_frequency, &flock.drive_frequency},
+        {&Ensemble::theta, &flock.theta},
+        {&Ensemble::omega, &flock.omega},
+        {&Ensemble::alpha, &flock.alpha},
+        {&Ensemble::beta, &flock.beta},
+        {&Ensemble::torque, &flock.torque},
+        {&Ensemble::drive_amplitude, &flock.drive_amplitude},
+        {&Ensemble::pivot_amplitude, &flock.pivot_amplitude},
+        {&Ensemble::drive_frequency, &flock.drive_frequency},
         {&Ensemble::drive_phase, &flock.drive_phase}};
     for (const auto& [column, values] : columns) e.*column = std::span(*values).first(size);
     return e;
@@ -144,10 +150,12 @@ TEST(Ensembles, OfMembersWithoutADriveDoNotSeeItsFrequency) {
     const double amplitude[] = {0, 1, 0, 1}, pivot[] = {0, 0, 0, 1}, frequency[] = {1e308, 1, 1e308, 2};
     for (Method method : {Method::rk4, Method::taylor}) {
         double theta[4], omega[4], turns[4];
-        const Ensemble e{.size = 4, .theta = 1, .drive_amplitude = amplitude, .pivot_amplitude = pivot, .drive_frequency = frequency};
+        const Ensemble e{
+            .size = 4, .theta = 1, .drive_amplitude = amplitude, .pivot_amplitude = pivot, .drive_frequency = frequency};
         const EnsembleTimes times{.first = 100, .steps_to_first = 5000};
         ASSERT_TRUE(solve(e, method, 1e-15, times, {theta, omega, turns}).is_done());
-        const auto free = all_rows({.initial = {1, 0}, .method = method, .schedule = {.rows = 1, .first = 100, .steps_to_first = 5000}});
+        const auto free =
+            all_rows({.initial = {1, 0}, .method = method, .schedule = {.rows = 1, .first = 100, .steps_to_first = 5000}});
         for (int i : {0, 2}) {
             EXPECT_EQ(theta[i], free[0].theta) << method_names[static_cast<int>(method)];
             EXPECT_EQ(omega[i], free[0].omega);

@@ -21,8 +21,8 @@ struct Flock {
 
     std::size_t size() const {
         std::size_t most = 1;
-        for (const auto* column : {&theta, &omega, &alpha, &beta, &torque, &drive_amplitude, &pivot_amplitude, &drive_frequency,
-                                   &drive_phase})
+        for (const auto* column :
+             {&theta, &omega, &alpha, &beta, &torque, &drive_amplitude, &pivot_amplitude, &drive_frequency, &drive_phase})
             most = std::max(most, column->size());
         return most;
     }

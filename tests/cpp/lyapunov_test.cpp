@@ -44,7 +44,8 @@ TEST(Lyapunov, StandardErrorIsTheSpreadOverDifferentStarts) {
     for (double x : found.exponent) mean += x / starts;
     for (double x : found.exponent) spread += (x - mean) * (x - mean) / (starts - 1);
     for (double x : found.error) stated += x * x / starts;
-    EXPECT_NEAR(std::sqrt(stated / spread), 1, 0.15);  // the spread is uncertain by 4.4 %, and blocks of 31 periods remember a little
+    EXPECT_NEAR(std::sqrt(stated / spread), 1,
+                0.15);  // the spread is uncertain by 4.4 %, and blocks of 31 periods remember a little
 }
 
 TEST(Lyapunov, SumOfBothIsMinusTheFriction) {

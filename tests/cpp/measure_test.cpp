@@ -44,7 +44,8 @@ TEST(Attractors, AreNumberedTheSameHoweverMembersAreOrdered) {
     for (auto* column : {&backward.label, &backward.rotation, &backward.theta}) std::ranges::reverse(*column);
 
     EXPECT_EQ(found.label, backward.label);
-    EXPECT_EQ(std::ranges::count(found.label, 1) + std::ranges::count(found.label, 2), static_cast<std::ptrdiff_t>(flock.size()));
+    EXPECT_EQ(std::ranges::count(found.label, 1) + std::ranges::count(found.label, 2),
+              static_cast<std::ptrdiff_t>(flock.size()));
     for (std::size_t i = 0; i < flock.size(); ++i) {  // two, by symmetry: theta, t -> -theta, t + half a period
         EXPECT_EQ(found.rotation[i], found.label[i] == 1 ? -1 : 1);
         EXPECT_EQ(found.period[i], 2);
@@ -191,13 +192,17 @@ TEST(Orbits, OfTaylorHaveThePublishedPeriodsToo) {
 TEST(Measures, OfTaylorHaveTheSameBitsWhateverTheNeighbours) {
     Flock flock = published(linspace(0.9, 1.5, 75));
     flock.drive_frequency = linspace(0.01, 1, 75);
+    flock.pivot_amplitude.resize(75);  // shaken, driven and both side by side
+    for (std::size_t i = 0; i < 75; ++i) flock.pivot_amplitude[i] = i % 3 == 1 ? 0.4 : 0;
+    for (std::size_t i = 0; i < 75; ++i) flock.drive_amplitude[i] *= i % 4 != 1;
     const Strobe strobe{.transient = 1, .periods = 3, .method = Method::taylor};
     const auto exponents = exponents_of(flock, strobe, 3, {1});
     const auto again = exponents_of(flock, strobe, 3, {3});
     EXPECT_TRUE(same_bits(again.exponent, exponents.exponent) && same_bits(again.history, exponents.history));
-    for (std::size_t i : {0u, 7u, 40u, 74u}) {
+    for (std::size_t i : {0u, 1u, 7u, 9u, 40u, 74u}) {
         Flock alone = published({flock.drive_amplitude[i]});
         alone.drive_frequency = {flock.drive_frequency[i]};
+        alone.pivot_amplitude = {flock.pivot_amplitude[i]};
         EXPECT_EQ(exponents_of(alone, strobe).exponent[0], exponents.exponent[i]);
         EXPECT_EQ(section_of(alone, strobe).theta[2], section_of(flock, strobe).theta[2 * 75 + i]);
     }

@@ -67,7 +67,8 @@ void expect_refused(const Problem& problem, Refusal::Reason reason, const std::s
 }
 
 Problem problem(const Pendulum& pendulum, State initial = {1, 0}, Method method = Method::rk4) {
-    return {.pendulum = pendulum, .initial = initial, .method = method, .schedule = {.every = 0.1, .rows = 2, .steps_per_row = 10}};
+    return {
+        .pendulum = pendulum, .initial = initial, .method = method, .schedule = {.every = 0.1, .rows = 2, .steps_per_row = 10}};
 }
 
 TEST(Refusals, AreNoneOfWhatIsLegal) {
@@ -90,7 +91,8 @@ TEST(Refusals, OfEveryParameterOutsideItsInterval) {
         expect_refused(problem({}, {bad, 0}), interval, "theta0");
         expect_refused(problem({}, {0, bad}), interval, "omega0");
     }
-    for (double frequency : {-1.0, nan, inf}) expect_refused(problem({.drive_frequency = frequency}), interval, "drive_frequency");
+    for (double frequency : {-1.0, nan, inf})
+        expect_refused(problem({.drive_frequency = frequency}), interval, "drive_frequency");
 }
 
 TEST(Refusals, OfADriveOrAShakenPivotWithoutAFrequency) {
@@ -110,8 +112,9 @@ TEST(Refusals, OfMethodsThatAreNotThereOrCannotDoIt) {
     expect_refused(problem({}, {1, 0}, static_cast<Method>(99)), not_among, "method");
     expect_refused(problem({}, {1, 0}, static_cast<Method>(-1)), not_among, "method");
     expect_refused(problem({.beta = 0.1}, {1, 0}, Method::verlet), has_friction, "verlet");
-    for (const Pendulum& p : {Pendulum{.beta = 0.1}, Pendulum{.torque = 0.1}, Pendulum{.drive_amplitude = 1, .drive_frequency = 1},
-                              Pendulum{.pivot_amplitude = 1, .drive_frequency = 1}})
+    for (const Pendulum& p :
+         {Pendulum{.beta = 0.1}, Pendulum{.torque = 0.1}, Pendulum{.drive_amplitude = 1, .drive_frequency = 1},
+          Pendulum{.pivot_amplitude = 1, .drive_frequency = 1}})
         expect_refused(problem(p, {1, 0}, Method::exact), not_conservative, "exact");
 }
 
@@ -126,8 +129,7 @@ TEST(Refusals, OfCountsThatAreNotWhole) {
         EXPECT_EQ(refusal_of(p).name, std::string(count == inf ? "" : "rows")) << count;
     }
     expect_refused({.schedule = {.every = 0.1, .rows = 11, .steps_per_row = 2.5}}, whole, "steps_per_row");
-    for (double every : {0.0, -1.0, nan, inf})
-        expect_refused({.schedule = {.every = every, .rows = 2}}, interval, "every");
+    for (double every : {0.0, -1.0, nan, inf}) expect_refused({.schedule = {.every = every, .rows = 2}}, interval, "every");
     for (double first : {-1.0, nan, inf})
         expect_refused({.schedule = {.every = 1, .rows = 2, .first = first}}, interval, "first");
     EXPECT_EQ(refusal_of({.schedule = {.every = 1, .rows = 0x1p54}}).reason, too_many_rows);
@@ -294,22 +296,27 @@ TEST(Descriptions, NameArgumentValueAndWhatIsLegal) {
               "alpha must be positive and finite, got -1 | alpha debe ser un número finito mayor que 0, y es -1");
     EXPECT_EQ(both(check(Pendulum{.beta = -0.1})),
               "beta must be finite and not negative, got -0.1 | beta debe ser un número finito no menor que 0, y es -0.1");
-    EXPECT_EQ(both(check(Pendulum{}, State{nan, 0})), "theta0 must be finite, got nan | theta0 debe ser un número finito, y es nan");
+    EXPECT_EQ(both(check(Pendulum{}, State{nan, 0})),
+              "theta0 must be finite, got nan | theta0 debe ser un número finito, y es nan");
     EXPECT_EQ(both(check(Problem{.tolerance = 1e6})),
               "tolerance must be between 0 and 1, both excluded, got 1e+06 | tolerance debe ser un número entre 0 y 1, ambos "
               "excluidos, y es 1e+06");
     EXPECT_EQ(both(check(Problem{.schedule = {.every = 1, .rows = 11, .steps_per_row = 2.5}})),
-              "steps_per_row must be a whole number from 1 to 2^53, got 2.5 | steps_per_row debe ser un entero de 1 a 2^53, y es 2.5");
+              "steps_per_row must be a whole number from 1 to 2^53, got 2.5 | steps_per_row debe ser un entero de 1 a 2^53, y "
+              "es 2.5");
     EXPECT_EQ(both(check(problem({.beta = 0.1}, {1, 0}, Method::verlet))),
               "method verlet needs a pendulum without friction | el método verlet necesita un péndulo sin rozamiento");
-    EXPECT_EQ(both(check(problem({.beta = 1e6}))),
-              "steps_per_row must be at least 35972, or the method is unstable, got 10; or use method taylor | steps_per_row debe "
-              "ser al menos 35972, o el método es inestable, y es 10; o usa el método taylor");
-    EXPECT_EQ(both(check(problem({}, {1, 0}, static_cast<Method>(99)))),
-              "method must be one of rk4, euler, verlet, taylor, exact | method debe ser uno de rk4, euler, verlet, taylor, exact");
+    EXPECT_EQ(
+        both(check(problem({.beta = 1e6}))),
+        "steps_per_row must be at least 35972, or the method is unstable, got 10; or use method taylor | steps_per_row debe "
+        "ser al menos 35972, o el método es inestable, y es 10; o usa el método taylor");
+    EXPECT_EQ(
+        both(check(problem({}, {1, 0}, static_cast<Method>(99)))),
+        "method must be one of rk4, euler, verlet, taylor, exact | method debe ser uno de rk4, euler, verlet, taylor, exact");
     const double alpha[] = {1, 1, -2};
     EXPECT_EQ(both(check(Ensemble{.size = 3, .alpha = alpha})),
-              "alpha must be positive and finite, got -2 (member 2) | alpha debe ser un número finito mayor que 0, y es -2 (miembro 2)");
+              "alpha must be positive and finite, got -2 (member 2) | alpha debe ser un número finito mayor que 0, y es -2 "
+              "(miembro 2)");
     EXPECT_EQ(both(check(Ensemble{.size = 4, .alpha = alpha})),
               "alpha must have 4 values, got 3 | alpha debe tener 4 valores, y tiene 3");
     EXPECT_EQ(describe(check(Pendulum{.alpha = -1}), Language::en, "--alpha"), "--alpha must be positive and finite, got -1");

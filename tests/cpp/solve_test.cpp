@@ -1,12 +1,11 @@
 // Rows, steps, and the stream of rows.
-#include "pendula/solve.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cstring>
 #include <random>
 
 #include "pendula/angle.hpp"
+#include "pendula/pendula.hpp"
 #include "trajectories.hpp"
 
 namespace {
@@ -87,6 +86,27 @@ TEST(Advance, GivesTheSameBitsForAnyBlockAndBudget) {
                     EXPECT_EQ(std::memcmp(got.data(), want.data(), want.size() * sizeof want[0]), 0) << block << ' ' << budget;
                 }
         }
+}
+
+TEST(Solve, GivesTheRowsOfAdvance) {
+    for (Method method : {Method::rk4, Method::euler, Method::verlet, Method::taylor, Method::exact}) {
+        const auto p = problem(method, 1.7, {1, 0.2}, {0.013, 0.1, 20});
+        const auto want = all_rows(p), got = solve(p);
+        ASSERT_EQ(got.size(), want.size());
+        EXPECT_EQ(std::memcmp(got.data(), want.data(), want.size() * sizeof want[0]), 0) << static_cast<int>(method);
+    }
+}
+
+TEST(Names, LeaveThoseOfVariablesFree) {
+    const auto exact = make_exact(1, {1, 0});
+    auto taylor = make_taylor({}, {1, 0});
+    auto crossings = make_crossings({}, {1, 0}, Crossed::theta);
+    const auto schedule = make_schedule({0.1, 1, 10});
+    while (!reaches(taylor, 5)) step(taylor);
+    EXPECT_NEAR(at(taylor, 5).theta, at(exact, 5).theta, 1e-13);
+    Crossing crossing;
+    EXPECT_TRUE(next_crossing(crossings, 5, crossing));
+    EXPECT_EQ(schedule.rows, 11);
 }
 
 TEST(Advance, IsFinishedAfterTheLastRow) {

@@ -70,9 +70,11 @@ std::string json_head(const Run& run) {
         const bool is_of_length = i >= parameter_count;
         if (run.sweep.has_length ? parameter.value == &Pendulum::alpha : is_of_length) continue;
         const Range& range = run.sweep.values[i];
-        const std::string first = shown(range.first, full), last = shown(range.last, full);
-        add_member(line, parameter.name,
-                   range.is_range ? '[' + first + ',' + last + ',' + std::to_string(range.count) + ']' : first);
+        std::string values = shown(range.first, full);
+        if (range.is_range)
+            values.insert(0, "[").append(",").append(shown(range.last, full)).append(",").append(std::to_string(range.count)) +=
+                ']';
+        add_member(line, parameter.name, values);
     }
     return line + "}\n";
 }
@@ -143,10 +145,11 @@ void print_block(Run& run) {
     const Members members = members_of(run.sweep, run.done, run.at_hand);
     Ensemble ensemble = members.ensemble;
     Strobe strobe = run.strobe;
+    const std::size_t room = most_points / run.at_hand;
     std::size_t known = 0;  // points at the front that were printed before
     for (double left = run.strobe.periods; left > 0; known = 1) {
         strobe.periods = left + static_cast<double>(known);
-        if (run.has_points) strobe.periods = std::min(strobe.periods, static_cast<double>(most_points / run.at_hand));
+        if (run.has_points) strobe.periods = std::min(strobe.periods, static_cast<double>(room));
         const auto results = results_of(run, ensemble, strobe);
         left -= strobe.periods - static_cast<double>(known);
         const std::size_t rows = run.has_points ? static_cast<std::size_t>(strobe.periods) : 1;

@@ -92,7 +92,7 @@ std::string typed_commands(unsigned mask, const std::string& lead) {
     std::vector<std::string> typed;
     if (mask & solve_input_command) typed.push_back("pendula");
     for (const auto& name : command_names())
-        if (mask & *command_named(name)) typed.push_back(lead + name);
+        if (const auto command = command_named(name); command && (mask & *command)) typed.push_back(lead + name);
     return joined(typed);
 }
 

@@ -82,11 +82,13 @@ PROBLEMS = [
     ("x" * 41, FIRST + 'factorΔ "' + "x" * 40 + '...": ' + NOT_A_NUMBER),
     (
         "1e-20 1 1 90 s 0 r 1",
-        FIRST + "it would take 99999999900000010240 steps, more than 2^53 = 9007199254740992; make them longer or the run shorter",
+        FIRST
+        + "it would take 99999999900000010240 steps, more than 2^53 = 9007199254740992; make them longer or the run shorter",
     ),
     (
         "1 1e-20 1 90 s 0 r 1",
-        FIRST + "there would be 1.000000001e+20 rows, more than 2^53 = 9007199254740992; leave more time between them or make the run shorter",
+        FIRST
+        + "there would be 1.000000001e+20 rows, more than 2^53 = 9007199254740992; leave more time between them or make the run shorter",
     ),
     ("1 1e-300 1e300 90 s 0 r 1", FIRST + "there would be inf rows, more than 2^53"),
     ("1 1 1e308 90 s 0 r 1e-10", FIRST + "the length of the run, 1e+308 times 741630 s, is out of the range of doubles"),
@@ -101,7 +103,10 @@ OPTIONS = [
     (["solve", "--theta0", "90grad"], f'--theta0 "90grad": {NOT_A_NUMBER} (radians; degrees like 90deg)'),
     (["solve", "--theta0", "90deg/s"], f'--theta0 "90deg/s": {NOT_A_NUMBER} (radians; degrees like 90deg)'),
     (["solve", "--theta0", "1", "--omega0", "10deg"], f'--omega0 "10deg": {NOT_A_NUMBER} (radians; degrees like 90deg/s)'),
-    (["solve", "--theta0", "1,5"], '--theta0 "1,5": it has a decimal comma; write "1.5", with a point (radians; degrees like 90deg)'),
+    (
+        ["solve", "--theta0", "1,5"],
+        '--theta0 "1,5": it has a decimal comma; write "1.5", with a point (radians; degrees like 90deg)',
+    ),
     (["solve", "--theta0", "nan"], '--theta0 "nan" must be finite, got nan (radians; degrees like 90deg)'),
     (["solve", "--theta0", "--omega0"], f'--theta0 "--omega0": {NOT_A_NUMBER} (radians; degrees like 90deg)'),
     (["solve", "--theta0", "1", "--alpha", "0"], f'--alpha "0" {POSITIVE}0'),
@@ -114,12 +119,18 @@ OPTIONS = [
     (["solve", "--theta0", "1", "--dt", "1", "--dt-factor", "1"], "--dt-factor and --dt exclude each other"),
     (["solve", "--theta0", "1", "--until", "-1"], f'--until "-1" {POSITIVE}-1'),
     (["solve", "--theta0", "1", "--theta0", "2"], "option --theta0 is given twice"),
-    (["solve", "--theta0", "1", "--method", "rk5"], '--method "rk5": "rk5" is none of rk4, euler, verlet, taylor, exact; did you mean rk4?'),
+    (
+        ["solve", "--theta0", "1", "--method", "rk5"],
+        '--method "rk5": "rk5" is none of rk4, euler, verlet, taylor, exact; did you mean rk4?',
+    ),
     (["solve", "--theta0", "1", "--format", "xml"], '--format "xml": "xml" is none of text, csv, json'),
     (["solve", "--theta0", "1", "--precision", "0"], '--precision "0": it must be a whole number from 1 to 17, or full'),
     (["solve", "--theta0", "1", "--precision", "18"], '--precision "18": it must be a whole number from 1 to 17, or full'),
     (["solve", "--theta0", "1", "--precision", "6.0"], '--precision "6.0": it must be a whole number from 1 to 17, or full'),
-    (["solve", "--theta0", "1", "--columns", ""], '--columns "": "" is none of t, theta, omega, sine, exact, error, energy, turns'),
+    (
+        ["solve", "--theta0", "1", "--columns", ""],
+        '--columns "": "" is none of t, theta, omega, sine, exact, error, energy, turns',
+    ),
     (
         ["solve", "--theta0", "1", "--columns", "t,thetta"],
         '--columns "t,thetta": "thetta" is none of t, theta, omega, sine, exact, error, energy, turns; did you mean theta?',
@@ -131,10 +142,16 @@ OPTIONS = [
     (["solve", "-x"], 'unknown option "-x"; see pendula --help'),
     (["solve", "90deg"], 'unexpected argument "90deg"; options begin with --, see pendula --help'),
     (["solve", "--epsilon", "1"], "option --epsilon belongs to pendula analyze"),
-    (["--theta0", "1"], "option --theta0 belongs to pendula solve, pendula analyze, pendula section, pendula mean-velocity, pendula lyapunov, pendula attractors"),
+    (
+        ["--theta0", "1"],
+        "option --theta0 belongs to pendula solve, pendula analyze, pendula section, pendula mean-velocity, pendula lyapunov, pendula attractors",
+    ),
     (["--lang", "fr"], '--lang "fr": "fr" is none of en, es'),
     (["analyze", "--omega0", "1"], "--theta0 is missing: the initial angle, as 1.5 (radians) or 90deg"),
-    (["analyze", "--theta0", "1", "--method", "serie"], '--method "serie": "serie" is none of agm, series; did you mean series?'),
+    (
+        ["analyze", "--theta0", "1", "--method", "serie"],
+        '--method "serie": "serie" is none of agm, series; did you mean series?',
+    ),
     (["analyze", "--theta0", "1", "--epsilon", "1e-3"], "--epsilon does not go with --method agm"),
     (
         ["analyze", "--theta0", "1", "--method", "series", "--epsilon", "1"],
@@ -212,7 +229,7 @@ def test_analyze_of_no_lines_prints_nothing(pendula):
         assert (done.returncode, done.stdout, done.stderr) == (0, b"", b"")
 
 
-def test_standard_input_that_cannot_be_read_is_said_so(pendula):
+def test_standard_input_that_cannot_be_read_is_said_so():
     directory = os.open("/", os.O_RDONLY)
     done = subprocess.run([PROGRAM], stdin=directory, capture_output=True, env=CLEAN)
     os.close(directory)

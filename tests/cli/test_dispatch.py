@@ -53,7 +53,10 @@ def test_standard_input_is_handed_on(pendula, tmp_path):
         ("velocity", 'unknown command "velocity"; did you mean mean-velocity?'),
         ("mean_velocity", 'unknown command "mean_velocity"; did you mean mean-velocity?'),
         ("plt", 'unknown command "plt"; did you mean plot?'),
-        ("frobnicate", 'unknown command "frobnicate"; there are analyze, attractors, lyapunov, mean-velocity, plot, section, solve'),
+        (
+            "frobnicate",
+            'unknown command "frobnicate"; there are analyze, attractors, lyapunov, mean-velocity, plot, section, solve',
+        ),
         ("", 'unknown command ""; there are analyze, attractors, lyapunov, mean-velocity, plot, section, solve'),
         ("../plot", 'unknown command "../plot"; there are analyze, attractors, lyapunov, mean-velocity, plot, section, solve'),
     ],
@@ -96,7 +99,10 @@ def test_a_link_to_a_program_that_is_gone_is_said_so(pendula, tmp_path):
     file = tmp_path / "pendula-gone"
     file.symlink_to("nowhere")
     done = pendula("gone", env={"PATH": str(tmp_path)})
-    assert (done.returncode, done.stderr.decode()) == (2, f'pendula: "{file}" could not be run: it links to a file that is missing\n')
+    assert (done.returncode, done.stderr.decode()) == (
+        2,
+        f'pendula: "{file}" could not be run: it links to a file that is missing\n',
+    )
 
 
 def test_a_program_that_runs_goes_before_one_that_may_not(pendula, tmp_path, on_path):
@@ -122,7 +128,7 @@ def test_folders_and_files_that_cannot_run_are_not_offered(pendula, tmp_path):
         assert b"folder?" not in done.stderr and b"data" not in done.stderr
 
 
-def test_no_path_at_all_is_no_harm(pendula):
+def test_no_path_at_all_is_no_harm():
     environment = {name: value for name, value in os.environ.items() if name != "PATH"}
     import subprocess
 

@@ -5,7 +5,6 @@ import math
 
 import pytest
 
-
 DRIVEN = ["--theta0", "0.2", "--beta", "0.5", "--drive-amplitude", "1.35", "--drive-frequency", "0.6666666666666666"]
 
 
@@ -48,8 +47,14 @@ def test_json_says_which_equation_was_solved(pendula):
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        (["--beta", "0.1", "--method", "exact"], "method exact needs a pendulum without friction, torque, drive and shaken pivot"),
-        (["--torque", "1", "--columns", "t,sine"], "method exact (--columns sine) needs a pendulum without friction, torque, drive and shaken pivot"),
+        (
+            ["--beta", "0.1", "--method", "exact"],
+            "method exact needs a pendulum without friction, torque, drive and shaken pivot",
+        ),
+        (
+            ["--torque", "1", "--columns", "t,sine"],
+            "method exact (--columns sine) needs a pendulum without friction, torque, drive and shaken pivot",
+        ),
         (["--beta", "0.1", "--method", "verlet"], "method verlet needs a pendulum without friction"),
         (["--pivot-amplitude", "1", "--drive-frequency", "1", "--method", "exact"], "method exact needs a pendulum without"),
         (["--drive-amplitude", "1"], "--drive-frequency must be positive and finite, got 0"),
@@ -100,7 +105,20 @@ def test_a_problem_that_leaves_the_doubles_is_bad_data_of_its_line(pendula, prob
 
 def test_a_shaken_pivot_holds_the_pendulum_upright(table):
     """P^2 > 2 alpha Omega^2: Kapitza's pendulum swings about the top, without it falls."""
-    upright = ["--theta0", "179deg", "--beta", "0.1", "--drive-frequency", "50", "--until", "20", "--every", "1", "--dt", "0.001"]
+    upright = [
+        "--theta0",
+        "179deg",
+        "--beta",
+        "0.1",
+        "--drive-frequency",
+        "50",
+        "--until",
+        "20",
+        "--every",
+        "1",
+        "--dt",
+        "0.001",
+    ]
     shaken = numbers(table, *upright, "--pivot-amplitude", "100")
     assert all(abs(theta) > math.radians(170) for _, theta, _ in shaken)
     assert any(abs(theta) < 1 for _, theta, _ in numbers(table, *upright))

@@ -1,6 +1,5 @@
 """The language of messages, and that numbers know only one."""
 
-import os
 import shutil
 import subprocess
 from pathlib import Path

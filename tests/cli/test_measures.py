@@ -47,18 +47,24 @@ def test_a_single_range_makes_no_empty_lines(pendula):
 
 
 def test_ranges_hold_the_doubles_of_linspace(pendula):
-    lines = output(pendula, "mean-velocity", "--torque", "0.9:1.5:61", "--beta", "1", "--precision", "full", "--periods", "1").splitlines()[1:]
+    lines = output(
+        pendula, "mean-velocity", "--torque", "0.9:1.5:61", "--beta", "1", "--precision", "full", "--periods", "1"
+    ).splitlines()[1:]
     step = (1.5 - 0.9) / 60
     assert [float(line.split()[0]) for line in lines] == [0.9 + i * step for i in range(60)] + [1.5]
 
 
 def test_angles_range_in_degrees_too(pendula):
-    lines = output(pendula, "section", "--theta0", "-90deg:90deg:3", "--transient", "0", "--periods", "1", "--precision", "full").splitlines()
+    lines = output(
+        pendula, "section", "--theta0", "-90deg:90deg:3", "--transient", "0", "--periods", "1", "--precision", "full"
+    ).splitlines()
     assert [float(line.split()[0]) for line in lines[1:]] == [-math.pi / 2, 0, math.pi / 2]
 
 
 def test_gravity_over_length_is_alpha(pendula):
-    by_length = output(pendula, "mean-velocity", "--gravity", "9", "--length", "1:2.25:2", "--theta0", "3", "--precision", "full")
+    by_length = output(
+        pendula, "mean-velocity", "--gravity", "9", "--length", "1:2.25:2", "--theta0", "3", "--precision", "full"
+    )
     by_alpha = output(pendula, "mean-velocity", "--alpha", "9:4:2", "--theta0", "3", "--precision", "full")
     assert [line.split()[1] for line in by_length.splitlines()[1:]] == [line.split()[1] for line in by_alpha.splitlines()[1:]]
     assert by_length.startswith("# length mean_velocity\n1 ")
@@ -104,7 +110,9 @@ def test_taylor_measures_too(pendula):
 
 def test_a_long_section_goes_on_past_what_memory_is_meant_for(pendula):
     points = 2**20 + 3
-    text = output(pendula, "section", "--theta0", "1", "--transient", "0", "--periods", str(points), "--steps", "4", "--threads", "1")
+    text = output(
+        pendula, "section", "--theta0", "1", "--transient", "0", "--periods", str(points), "--steps", "4", "--threads", "1"
+    )
     assert text.count("\n") == points + 1
 
 
@@ -226,7 +234,9 @@ def test_columns_of_attractors_have_names_in_every_format(pendula):
 
 
 def test_a_pivot_is_swept_like_any_parameter(pendula):
-    lines = output(pendula, "section", "--pivot-amplitude", "0:2:3", "--drive-frequency", "2", "--transient", "0", "--periods", "1").splitlines()
+    lines = output(
+        pendula, "section", "--pivot-amplitude", "0:2:3", "--drive-frequency", "2", "--transient", "0", "--periods", "1"
+    ).splitlines()
     assert [line.split()[0] for line in lines] == ["#", "0", "1", "2"]
 
 

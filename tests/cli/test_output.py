@@ -4,6 +4,7 @@ import os
 import resource
 import signal
 import subprocess
+from typing import Any
 
 import pytest
 from conftest import CLEAN, GOOD, PROGRAM
@@ -36,9 +37,11 @@ def test_the_file_that_is_read_is_never_written(tmp_path, kind, arguments, text)
         other.symlink_to(problems)
     path = {"name": problems, "/dev/stdin": "/dev/stdin"}.get(kind, other)
     with open(problems, "rb") as given, open(problems, "ab") as appended:
-        where = {"stdout": appended} if kind == "append" else {"stdout": subprocess.PIPE}
+        where: dict[str, Any] = {"stdout": appended} if kind == "append" else {"stdout": subprocess.PIPE}
         option = [] if kind == "append" else ["--output", str(path)]
-        done = subprocess.run([PROGRAM, *arguments, *option], stdin=given, stderr=subprocess.PIPE, env=CLEAN, timeout=60, **where)
+        done = subprocess.run(
+            [PROGRAM, *arguments, *option], stdin=given, stderr=subprocess.PIPE, env=CLEAN, timeout=60, **where
+        )
     assert done.returncode == 2 and b"is what standard input is read from" in done.stderr
     assert problems.read_text() == text
 
@@ -154,7 +157,12 @@ def within(mebibytes):
 
 @pytest.mark.parametrize(
     "text",
-    ["1 1e-6 1 1 r 0 r 1", "1 1 1 1 r 0 r 1\n" * 100_000, "1 1 1 1 r 0 r 1 #" + "x" * (32 << 20), " " * (32 << 20) + "1 1 1 1 r 0 r 1"],
+    [
+        "1 1e-6 1 1 r 0 r 1",
+        "1 1 1 1 r 0 r 1\n" * 100_000,
+        "1 1 1 1 r 0 r 1 #" + "x" * (32 << 20),
+        " " * (32 << 20) + "1 1 1 1 r 0 r 1",
+    ],
     ids=["rows", "problems", "comment", "space"],
 )
 def test_memory_does_not_grow_with_the_run(pendula, text):

@@ -55,7 +55,10 @@ def terminal():
 
 
 def test_a_terminal_is_told_what_to_type_in_its_language(terminal):
-    for environment, pattern in (({}, "type problems, eight values each"), ({"LANG": "es_ES.UTF-8"}, "escribe problemas, cada uno de ocho valores")):
+    for environment, pattern in (
+        ({}, "type problems, eight values each"),
+        ({"LANG": "es_ES.UTF-8"}, "escribe problemas, cada uno de ocho valores"),
+    ):
         at = terminal(env=environment)
         at.read_until(pattern)
         at.type("\x04")

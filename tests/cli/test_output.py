@@ -4,6 +4,7 @@ import os
 import resource
 import signal
 import subprocess
+from typing import Any
 
 import pytest
 from conftest import CLEAN, GOOD, PROGRAM
@@ -36,7 +37,7 @@ def test_the_file_that_is_read_is_never_written(tmp_path, kind, arguments, text)
         other.symlink_to(problems)
     path = {"name": problems, "/dev/stdin": "/dev/stdin"}.get(kind, other)
     with open(problems, "rb") as given, open(problems, "ab") as appended:
-        where = {"stdout": appended} if kind == "append" else {"stdout": subprocess.PIPE}
+        where: dict[str, Any] = {"stdout": appended} if kind == "append" else {"stdout": subprocess.PIPE}
         option = [] if kind == "append" else ["--output", str(path)]
         done = subprocess.run(
             [PROGRAM, *arguments, *option], stdin=given, stderr=subprocess.PIPE, env=CLEAN, timeout=60, **where

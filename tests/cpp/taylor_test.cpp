@@ -38,7 +38,7 @@ std::vector<Driven> driven() {
 }
 
 Sample solved(Taylor& run, double t) {
-    while (goes_on_to(run, t)) step(run);
+    while (needs_step_to(run, t)) step(run);
     return at(run, t);
 }
 
@@ -123,7 +123,8 @@ TEST(Taylor, EndsOfStepsAreTheStartsOfTheNext) {
         const auto end = at(run, run.step.t + run.step.length);
         step(run);
         // The step's end lies within an ulp of the time asked for.
-        EXPECT_LE(angle_error(end.theta, end.turns, {run.step.start.theta, 0}, run.step.start.turns), 1e-15 + 5 * ulp(run.step.t));
+        EXPECT_LE(angle_error(end.theta, end.turns, {run.step.start.theta, 0}, run.step.start.turns),
+                  1e-15 + 5 * ulp(run.step.t));
     }
 }
 
@@ -197,7 +198,9 @@ TEST(Taylor, OfAMemberIsThatOfItselfAlone) {
         }
         for (int i = 0; i < c.count; ++i) {
             const auto s = solved(alone[static_cast<std::size_t>(i)], t[i]);
-            EXPECT_TRUE(same(c.motion.theta[i], s.theta) && same(c.motion.omega[i], s.omega) && same(c.motion.turns[i], s.turns)) << row << ' ' << i;
+            EXPECT_TRUE(same(c.motion.theta[i], s.theta) && same(c.motion.omega[i], s.omega) &&
+                        same(c.motion.turns[i], s.turns))
+                << row << ' ' << i;
         }
     }
     EXPECT_TRUE(std::isnan(c.motion.theta[17]) && std::isnan(c.motion.theta[19]));

@@ -9,7 +9,7 @@
 
 namespace {
 
-[[maybe_unused]] const bool is_told = [] {
+[[maybe_unused]] const bool is_added = [] {
 #ifdef __clang__
     benchmark::AddCustomContext("Compiler", "clang " __clang_version__);
 #else

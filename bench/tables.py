@@ -11,7 +11,7 @@ class Table:
     scale: float  # nanoseconds in the unit
     peers: dict  # peer in the names of cases: its name on the page
     rows: dict  # case: its description
-    asked: dict = field(default_factory=dict)  # (case, peer): goal for the ratio
+    goals: dict = field(default_factory=dict)  # (case, peer): goal for the ratio
 
 
 TABLES = [
@@ -125,12 +125,12 @@ TABLES = [
 KERNELS = {"rk4": "Runge–Kutta", "taylor": "Taylor"}
 
 
-def ratio(best, case, peer, asked):
+def ratio(best, case, peer, goals):
     if f"{case}/{peer}" not in best:
         return ""
     times = best[f"{case}/{peer}"] / best[f"{case}/pendula"]
     shown = f"{times:,.0f}" if times >= 100 else f"{times:.1f}" if times >= 10 else f"{times:.2f}"
-    least = asked.get((case, peer))
+    least = goals.get((case, peer))
     return f"**{shown} ×**" + ("" if least is None else f" (goal: {least:,})")
 
 
@@ -152,7 +152,7 @@ def ratio_table(table, best, facts):
         if f"{case}/pendula" in best:
             cells = [
                 f"{best[f'{case}/pendula'] / table.scale:.3g}",
-                *(ratio(best, case, peer, table.asked) for peer in table.peers),
+                *(ratio(best, case, peer, table.goals) for peer in table.peers),
             ]
             lines.append(f"| {name} | " + " | ".join(cells) + " |")
     for case in table.rows:

@@ -32,15 +32,15 @@ void count_operations(benchmark::State& state, const Run& run) {
     const auto d = kernels::taylor_pendulum(std::bit_cast<kernels::Parameters<double>>(run.pendulum));
     const kernels::TaylorPendulum<Counted> k{
         bench::counted_parameters(run.pendulum), {d.turn_rate.hi, d.turn_rate.lo}, {d.turn_start.hi, d.turn_start.lo}, d.rate};
-    const auto reach = kernels::taylor_reach(tolerance);
+    const auto control = kernels::step_control(tolerance);
     kernels::TaylorStep<Counted> step{};
     kernels::Series<Counted> cosine{};
     step.start.theta = released;
     step.start.omega = 0.3;
     step.t = 7.7;
     Counted::trace.clear();
-    expand(k, reach, step, cosine);
-    go_to_end(step);
+    expand(k, control, step, cosine);
+    move_to_end(step);
     const auto done = bench::operations_behind({step.start.theta, step.start.omega, step.start.theta_lo, step.start.omega_lo});
     // The length of a step is the mean over a whole run.
     auto trajectory = make_taylor(run.pendulum, {released, 0}, tolerance);

@@ -4,6 +4,6 @@
 
 namespace pendula {
 
-const char* instruction_set() noexcept { return kernels::is_choice_met() ? kernels::dispatch().name : nullptr; }
+const char* instruction_set() noexcept { return kernels::is_choice_available() ? kernels::dispatch().name : nullptr; }
 
 }  // namespace pendula

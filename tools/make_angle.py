@@ -47,7 +47,7 @@ def phase(s: float, r: float) -> arb:
 
 
 def main():
-    print("# Made by tools/make_angle.py, with the command that stands there; do not edit.")
+    print("# Made by tools/make_angle.py, which states the command; do not edit.")
     print("# wrap theta value turns | to_radians degrees value | phase s r value     values are pairs: nearest double and rest")
     for theta in angles():
         value, turns = wrap(arb(theta))

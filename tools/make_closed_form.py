@@ -187,7 +187,7 @@ def times(name: str, number: int, tau: float) -> list[float]:
 
 
 def header():
-    print("# Made by tools/make_closed_form.py, with the command that stands there; do not edit.")
+    print("# Made by tools/make_closed_form.py, which states the command; do not edit.")
     print("# case GROUP alpha theta omega k theta_max tau      numbers after k are pairs: the nearest double and the rest")
     print("# at t theta omega turns                            theta in [-pi, pi); theta and omega are pairs")
 

@@ -75,7 +75,7 @@ def trigonometric(suffix, bound, sin_terms, cos_terms, comment):
     )
 
 
-print("""// Made by tools/make_coefficients.py, with the command that stands there; do not edit.
+print("""// Made by tools/make_coefficients.py, which states the command; do not edit.
 #pragma once
 
 namespace pendula::arithmetic {
@@ -107,7 +107,7 @@ for name, x in {"mark_sine_dd": sin(mpf("0.999") * pi / 2), "mark_cosine_dd": co
     array(
         name,
         [double(x), double(x - mpf(double(x)))],
-        f"{name[5:-3]} of 0.999 pi/2, half the angle at which the time of the separatrix is taken, in two doubles.",
+        f"{name[5:-3]} of 0.999 pi/2, half the angle at which the time on the separatrix ends (3.5), in two doubles.",
     )
 
 trigonometric("quarter", pi / 4 * mpf("1.0001"), 6, 6, "pi/4")

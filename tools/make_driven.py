@@ -159,5 +159,5 @@ def pivot():
 
 
 if __name__ == "__main__":
-    print("# Made by tools/make_driven.py, with the command that stands there; do not edit.")
+    print("# Made by tools/make_driven.py, which states the command; do not edit.")
     {"driven": driven, "pivot": pivot}[sys.argv[1]]()

@@ -191,7 +191,7 @@ def cos_of_half_turn(f: float) -> arb:
 
 
 def main():
-    print("# Made by tools/make_elementary.py, with the command that stands there; do not edit.")
+    print("# Made by tools/make_elementary.py, which states the command; do not edit.")
     print("# FUNCTION argument... value...     values are pairs: the nearest double and the rest to 9 bits")
     xs = angles() + searched("sincos")
     for x in xs:

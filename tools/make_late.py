@@ -92,7 +92,7 @@ def is_of(group: str, solution: Solution) -> bool:
 
 
 def table():
-    print("# Made by tools/make_late.py, with the command that stands there; do not edit.")
+    print("# Made by tools/make_late.py, which states the command; do not edit.")
     print("# The rows are those of closed_form.txt.")
     for group, (make, count) in GROUPS.items():
         cases = list(NAMED[group])

@@ -110,7 +110,7 @@ TOP = [(1.0, 0.0, 20.0, 20.0), (1.0, 0.05, 28.0, 20.0), (1.0, 0.0, 30.0, 20.0), 
 
 
 def table():
-    print("# Made by tools/make_pivot_stability.py, with the command that stands there; do not edit.")
+    print("# Made by tools/make_pivot_stability.py, which states the command; do not edit.")
     print("# upright alpha beta frequency | lowest and highest pivot_amplitude at which the upright state is stable")
     print("# tongue alpha beta pivot_amplitude | frequencies near 2 sqrt(alpha) between which the hanging state is unstable")
     print("# threshold alpha beta | lowest pivot_amplitude of that tongue, and its frequency to 16 digits")

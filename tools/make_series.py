@@ -22,7 +22,7 @@ def cut(alpha: float, theta: float, omega: float, epsilon: float) -> arb:
 
 
 def main():
-    print("# Made by tools/make_series.py, with the command that stands there; do not edit.")
+    print("# Made by tools/make_series.py, which states the command; do not edit.")
     print("# alpha theta omega epsilon value     the least N is the value rounded up; a pair: nearest double and rest")
     cases = NAMED + [make() for make in (oscillation, small, rotation, near) for _ in range(25)]
     for case in cases:

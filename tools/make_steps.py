@@ -136,5 +136,5 @@ def pivot():
 
 
 if __name__ == "__main__":
-    print("# Made by tools/make_steps.py, with the command that stands there; do not edit.")
+    print("# Made by tools/make_steps.py, which states the command; do not edit.")
     {"free": free, "pivot": pivot}[sys.argv[1]]()

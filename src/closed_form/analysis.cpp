@@ -27,7 +27,7 @@ double ulp(double x) noexcept {
 
 /// A bound on the change of the gap when theta, omega and alpha change by one unit in the last place, to first and second
 /// order.
-double reach_of_one_ulp(const EnergyBalance& b, double theta_ulp, double omega_ulp) noexcept {
+double change_by_one_ulp(const EnergyBalance& b, double theta_ulp, double omega_ulp) noexcept {
     const double alpha_ulp = power_of_two_below(b.alpha) * 0x1p-52;  // as for a normal number, also if alpha is denormal
     const double sine = b.sine.hi, cosine = b.cosine.hi;
     const double first =
@@ -45,8 +45,8 @@ double separatrix_time(const EnergyBalance& b, double omega) noexcept {
     const Number mark_sine{mark_sine_dd[0], mark_sine_dd[1]};
     const Number mark_cosine{mark_cosine_dd[0], mark_cosine_dd[1]};
     const auto sine = omega < 0 ? -b.sine : b.sine;
-    const auto way = (mark_sine - sine) / (mark_cosine * b.cosine);
-    return omega == 0 || way.hi <= 0 ? 10 / root : asinh(way.hi) / root;
+    const auto argument = (mark_sine - sine) / (mark_cosine * b.cosine);
+    return omega == 0 || argument.hi <= 0 ? 10 / root : asinh(argument.hi) / root;
 }
 
 const Number two_pi{two_pi_dd[0], two_pi_dd[1]};
@@ -92,8 +92,8 @@ EnergyBalance balance_energy(double alpha, State initial) noexcept {
     const auto kinetic = two_prod(b.half_omega.hi, b.half_omega.hi);
     b.rise = b.sine * b.sine * b.alpha + kinetic;
     b.gap = b.cosine * b.cosine * b.alpha - kinetic;
-    const double reach = reach_of_one_ulp(b, ulp(initial.theta), ulp(initial.omega) / b.unit);
-    b.regime = abs(b.gap.hi) <= reach ? Regime::separatrix : b.gap.hi > 0 ? Regime::oscillation : Regime::rotation;
+    const double change = change_by_one_ulp(b, ulp(initial.theta), ulp(initial.omega) / b.unit);
+    b.regime = abs(b.gap.hi) <= change ? Regime::separatrix : b.gap.hi > 0 ? Regime::oscillation : Regime::rotation;
     b.root_alpha = sqrt(Number{b.alpha, 0});
     if (b.regime == Regime::oscillation) set_oscillation(b);
     if (b.regime == Regime::rotation) b.frequency = scaled(agm(sqrt(b.rise), sqrt(-b.gap)) / two_pi, 2.0);

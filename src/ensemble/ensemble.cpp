@@ -72,7 +72,7 @@ struct EnsembleCall {
         for (int i = 0; i < chunk_size; ++i) own[i] = counts[i] == count ? length[i] : 0;
         if (!rk4_over(m.chunk, start, own, count, false, most, thread, [] {})) return false;
         for (int i = 0; i < m.chunk.count; ++i)
-            if (counts[i] != count) keep_member(m.chunk, before, i);
+            if (counts[i] != count) restore_member(m.chunk, before, i);
         return true;
     }
 
@@ -97,7 +97,7 @@ struct EnsembleCall {
     void rk4_rows(Members& m, Thread& thread) const noexcept {
         for (std::size_t row = 0; row < times.rows; ++row) {
             if (!rk4_to_row(m, row, thread)) return;
-            hold_resting(m.chunk);
+            restore_resting(m.chunk);
             put_row(m, row);
             thread.report(m.chunk.count);
         }
@@ -111,7 +111,7 @@ struct EnsembleCall {
             for (int i = 0; i < m.chunk.count; ++i)
                 t[i] = times.first[m.number[i]] + static_cast<double>(row) * times.every[m.number[i]];
             if (!taylor_to(m.chunk, steps, t, false, thread)) return;
-            hold_resting(m.chunk);
+            restore_resting(m.chunk);
             put_row(m, row);
             thread.report(m.chunk.count);
         }

@@ -49,13 +49,13 @@ void load_members(Members& members, const Ensemble& ensemble, std::size_t first,
     }
 }
 
-void hold_resting(Chunk& c) noexcept {
+void restore_resting(Chunk& c) noexcept {
     for (int i = 0; i < c.count; ++i)
         if (c.is_resting[i])
             kernels::store<double, kernels::Motion>(c.motion, i, {c.resting_theta[i], 0, c.resting_turns[i], 0, 0});
 }
 
-void keep_member(Chunk& now, const Chunk& before, int i) noexcept {
+void restore_member(Chunk& now, const Chunk& before, int i) noexcept {
     kernels::store<double, kernels::Motion>(now.motion, i, kernels::load<double, kernels::Motion>(before.motion, i));
     kernels::store<double, kernels::Tangent>(now.tangent, i, kernels::load<double, kernels::Tangent>(before.tangent, i));
 }

@@ -16,10 +16,10 @@ struct Members {
 void load_members(Members& members, const Ensemble& ensemble, std::size_t first, const std::size_t* order = nullptr) noexcept;
 
 /// Restores the states of members that rest at the top, after a kernel has integrated them like the others.
-void hold_resting(kernels::Chunk& chunk) noexcept;
+void restore_resting(kernels::Chunk& chunk) noexcept;
 
 /// Restores member i of a chunk to its state in another chunk, before a kernel was called.
-void keep_member(kernels::Chunk& now, const kernels::Chunk& before, int i) noexcept;
+void restore_member(kernels::Chunk& now, const kernels::Chunk& before, int i) noexcept;
 
 /// Integrates all members of a chunk to their times t [s] by Taylor's method. Returns false if the call was stopped.
 bool taylor_to(kernels::Chunk& chunk, kernels::TaylorChunk& steps, const kernels::Row& t, bool has_tangent,

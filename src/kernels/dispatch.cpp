@@ -23,7 +23,7 @@ namespace {
 
 struct Choice {
     const Kernels* kernels = nullptr;
-    bool is_met = false;
+    bool is_available = false;
 };
 
 Choice choose() noexcept {
@@ -32,7 +32,7 @@ Choice choose() noexcept {
 #else
     const char* const asked = std::getenv("PENDULA_ISA");
 #endif
-    Choice choice{.is_met = !asked};
+    Choice choice{.is_available = !asked};
     // The instruction sets of the processor are offered from the widest to the narrowest.
     const auto offer = [&](const Kernels& kernels) {
         if (!choice.kernels) choice.kernels = &kernels;
@@ -57,6 +57,6 @@ const Choice& choice() noexcept {
 
 const Kernels& dispatch() noexcept { return *choice().kernels; }
 
-bool is_choice_met() noexcept { return choice().is_met; }
+bool is_choice_available() noexcept { return choice().is_available; }
 
 }  // namespace pendula::kernels

@@ -30,6 +30,6 @@ struct Kernels {
 const Kernels& dispatch() noexcept;
 
 /// False if PENDULA_ISA is set and does not name an instruction set of this processor; an empty value names none.
-bool is_choice_met() noexcept;
+bool is_choice_available() noexcept;
 
 }  // namespace pendula::kernels

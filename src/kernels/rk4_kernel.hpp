@@ -134,7 +134,7 @@ struct Stages {
 
     Acting<T> now() const { return acting<forcing>(k.terms, drive.cos); }
 
-    void go_half_step() {
+    void advance_drive() {
         if constexpr (forcing < Forcing::driven) return;
         drive = {drive.sin * k.half_step.cos + drive.cos * k.half_step.sin,
                  drive.cos * k.half_step.cos - drive.sin * k.half_step.sin};
@@ -146,7 +146,7 @@ struct Stages {
     Tangent<T> step(T v, SinCos<T> a, AngleAt angle_at) {
         const auto start = now();
         const T ka = acceleration(k.terms, start, a.sin, v);
-        go_half_step();
+        advance_drive();
         const auto middle = now();
         const auto b = angle_at(0.5 * v);
         const T vb = v + 0.5 * ka;
@@ -154,7 +154,7 @@ struct Stages {
         const auto c = angle_at(0.5 * vb);
         const T vc = v + 0.5 * kb;
         const T kc = acceleration(k.terms, middle, c.sin, vc);
-        go_half_step();
+        advance_drive();
         const auto end = now();
         const auto d = angle_at(vc);
         const T kd = acceleration(k.terms, end, d.sin, v + kc);
@@ -216,15 +216,15 @@ inline void large_steps(Stages& stages, Motion<T>& x, int steps) {
     }
 }
 
-/// A block of steps that `near_steps` does not cover. `reach` bounds the change of the angle within a step.
+/// A block of steps that `near_steps` does not cover. `largest` bounds the change of the angle within a step.
 template <Forcing forcing, bool has_tangent, class T>
-inline void forced_block(const Rk4Step<T>& k, DoubleDouble<T> t, Motion<T>& x, Tangent<T>& tangent, T reach, int steps) {
+inline void forced_block(const Rk4Step<T>& k, DoubleDouble<T> t, Motion<T>& x, Tangent<T>& tangent, T largest, int steps) {
     SinCos<T> drive{};
     if constexpr (forcing >= Forcing::driven)
         drive = sincos(two_pi_dd[0] * phase_at(t.hi, k.rate, k.start + t.lo * k.rate.whole).fraction);
     const auto is_bounded = abs(k.terms.drag) <= 0.125;  // as `largest_change` requires
-    const auto is_short = is_bounded & (reach <= short_limit);
-    const auto is_medium = is_bounded & (reach <= medium_limit);
+    const auto is_short = is_bounded & (largest <= short_limit);
+    const auto is_medium = is_bounded & (largest <= medium_limit);
     Stages<forcing, has_tangent, T> by_short{k, drive, {tangent.theta, tangent.omega * k.h}};
     auto by_medium = by_short, by_large = by_short;
     Motion<T> after_short = x, after_medium = x, after_large = x;
@@ -240,19 +240,19 @@ inline void forced_block(const Rk4Step<T>& k, DoubleDouble<T> t, Motion<T>& x, T
 /// bits do not depend on the other lanes. The displacement follows if has_tangent is true.
 template <bool has_tangent, class T>
 inline void rk4_block(const Rk4Step<T>& k, DoubleDouble<T> t, Motion<T>& x, Tangent<T>& tangent, int steps) {
-    const T reach = largest_change(k.terms, x.omega * k.h, steps);
-    const auto is_near = (reach <= near_limit) & is_free(k.terms) &
+    const T largest = largest_change(k.terms, x.omega * k.h, steps);
+    const auto is_near = (largest <= near_limit) & is_free(k.terms) &
                          (k.terms.pull <= (has_tangent ? -1.0 : near_pull));  // near_steps has no displacements
 
     Motion<T> near = x, forced = x;
     if (any<T>(is_near)) near_steps(k, near, steps);
     if (any<T>(!is_near)) {
         if (any<T>(k.terms.pivot != 0.0))
-            forced_block<Forcing::shaken, has_tangent>(k, t, forced, tangent, reach, steps);
+            forced_block<Forcing::shaken, has_tangent>(k, t, forced, tangent, largest, steps);
         else if (any<T>(k.terms.drive != 0.0))
-            forced_block<Forcing::driven, has_tangent>(k, t, forced, tangent, reach, steps);
+            forced_block<Forcing::driven, has_tangent>(k, t, forced, tangent, largest, steps);
         else
-            forced_block<Forcing::steady, has_tangent>(k, t, forced, tangent, reach, steps);
+            forced_block<Forcing::steady, has_tangent>(k, t, forced, tangent, largest, steps);
     }
     x = choose<T>(is_near, near, forced);
 }

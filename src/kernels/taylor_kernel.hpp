@@ -15,13 +15,13 @@
 namespace pendula::kernels::inline PENDULA_ISA {
 
 /// The order and the relative length of the steps.
-struct TaylorReach {
+struct StepControl {
     int order;
     double log2_fraction;  ///< log2 of the step length divided by the radius of convergence
 };
 
 /// The order and length for a tolerance in (0, 1). A tolerance below 2^-52, the precision of a double, gives those of 2^-52.
-inline TaylorReach taylor_reach(double tolerance) {
+inline StepControl step_control(double tolerance) {
     const int order = tolerance < 1e-9 ? taylor_order_limit : taylor_low_order;
     const double bounded = tolerance < 0x1p-52 ? 0x1p-52 : tolerance;
     // The truncation error is about a quarter of the last term, and that term is kept below 1/128 of the tolerance. At the
@@ -96,11 +96,11 @@ inline T smaller(T a, T b) {
 
 /// The length of a step in its unit. At most 8: as |omega| unit < 2, the initial velocity turns the angle by less than 16 rad.
 template <class T>
-inline T taylor_length(TaylorReach reach, T theta, const Series<T>& v) {
+inline T taylor_length(StepControl control, T theta, const Series<T>& v) {
     const T size = log2_by_lines(larger(larger(abs(theta), abs(v[0])), larger(abs(v[1]), abs(v[2]))));
-    const int p = reach.order;
+    const int p = control.order;
     const T radius = smaller((size - log2_by_lines(v[p])) * (1.0 / p), (size - log2_by_lines(v[p - 1])) * (1.0 / (p - 1)));
-    return exp2_by_cubic(smaller(radius + reach.log2_fraction, splat<T>(3.0)));
+    return exp2_by_cubic(smaller(radius + control.log2_fraction, splat<T>(3.0)));
 }
 
 /// The terms of the equation during a step that starts at time t [s].
@@ -161,7 +161,7 @@ inline void taylor_series(const Parameters<T>& p, const TaylorTerms<T>& f, SinCo
 
 /// Computes the polynomials, the unit and the length of a step from its start and time. C is the series of taylor_series.hpp.
 template <class T, class Step>
-inline void expand(const TaylorPendulum<T>& pendulum, TaylorReach reach, Step& step, Series<T>& C) {
+inline void expand(const TaylorPendulum<T>& pendulum, StepControl control, Step& step, Series<T>& C) {
     const auto& p = pendulum.parameters;
     step.unit = power_below_inverse(abs(step.start.omega) + pendulum.rate);
     const auto f = taylor_terms(pendulum, {step.t, step.t_lo}, step.unit);
@@ -181,12 +181,12 @@ inline void expand(const TaylorPendulum<T>& pendulum, TaylorReach reach, Step& s
     step.series[1] = acceleration.hi;
     step.series_1_lo = acceleration.lo;
     const SinCos<T> rounded{r.sin.hi, r.cos.hi};
-    if (reach.order == taylor_order_limit)
+    if (control.order == taylor_order_limit)
         taylor_series<taylor_order_limit>(p, f, rounded, sine.hi, step.series, C);
     else
         taylor_series<taylor_low_order>(p, f, rounded, sine.hi, step.series, C);
     // The last addend makes the length NaN if the motion is not finite.
-    step.length = taylor_length(reach, step.start.theta, step.series) * step.unit + 0.0 * step.series[reach.order];
+    step.length = taylor_length(control, step.start.theta, step.series) * step.unit + 0.0 * step.series[control.order];
 }
 
 /// The sum of factor(k) a[k] x^(k - first) for k >= first, as four independent sums of every fourth term, which overlap.
@@ -211,10 +211,10 @@ inline Motion<T> motion_at(const Step& step, T since) {
     const T bend = (x * x) * tail_of_series<1>(step.series, x, [](T a, int k) { return a * (1.0 / (k + 1)); });
     const auto& start = step.start;
     // The terms of series[0] and series[1] are large. Their rounding errors are kept.
-    const auto way = two_prod(step.series[0], x), gain = two_prod(step.series[1], x);
-    const auto theta = two_sum(start.theta, way.hi), omega = two_sum(start.omega, gain.hi * per_unit);
-    Motion<T> m{theta.hi, omega.hi, start.turns, theta.lo + (way.lo + (start.theta_lo + start.omega_lo * since)),
-                omega.lo + (start.omega_lo + gain.lo * per_unit)};
+    const auto from_v0 = two_prod(step.series[0], x), from_v1 = two_prod(step.series[1], x);
+    const auto theta = two_sum(start.theta, from_v0.hi), omega = two_sum(start.omega, from_v1.hi * per_unit);
+    Motion<T> m{theta.hi, omega.hi, start.turns, theta.lo + (from_v0.lo + (start.theta_lo + start.omega_lo * since)),
+                omega.lo + (start.omega_lo + from_v1.lo * per_unit)};
     add(m, bend, change * per_unit);
     return m;
 }
@@ -227,7 +227,7 @@ inline DoubleDouble<T> end_of(const T& t, const T& t_lo, const T& length) {
 
 /// Replaces the start of the step by its end, where the next step starts.
 template <class Step>
-inline void go_to_end(Step& step) {
+inline void move_to_end(Step& step) {
     const auto m = motion_at(step, step.length);
     const auto t = end_of(step.t, step.t_lo, step.length);
     step.start = {m.theta, m.omega, m.turns, m.theta_lo, m.omega_lo};
@@ -243,7 +243,7 @@ inline Mask<T> ends_before(const Step& step, T t) {
 
 /// Makes a motion NaN if more than 2^53 steps of this length would be needed to reach time t.
 template <class T, class Step>
-inline void give_up_endless(Step& step, T t) {
+inline void stop_endless(Step& step, T t) {
     const auto is_endless = (step.length > 0.0) & (step.length < (t - step.t) * 0x1p-53);
     if (!any<T>(is_endless)) return;
     const T nan = splat<T>(__builtin_nan(""));

@@ -22,7 +22,7 @@ T target_times(const Chunk& chunk, const TaylorChunk& steps, const Row& t, int i
 /// Advances the lanes that have not reached their targets by one step. The other lanes compute their present step again, with
 /// the same result.
 template <bool has_tangent>
-void next_step(const TaylorPendulum<T>& p, TaylorReach reach, const Mask<T>& goes_on, TaylorStep<T>& step,
+void next_step(const TaylorPendulum<T>& p, StepControl control, const Mask<T>& goes_on, TaylorStep<T>& step,
                TangentStep<T>& tangent) {
     if constexpr (has_tangent) tangent.start = choose(goes_on, tangent_at(tangent, step.unit, step.length), tangent.start);
     step.start = choose(goes_on, motion_at(step, step.length), step.start);
@@ -30,12 +30,12 @@ void next_step(const TaylorPendulum<T>& p, TaylorReach reach, const Mask<T>& goe
     step.t = select<T>(goes_on, t.hi, step.t);
     step.t_lo = select<T>(goes_on, t.lo, step.t_lo);
     Series<T> C;
-    expand(p, reach, step, C);
+    expand(p, control, step, C);
     if constexpr (has_tangent) {
-        expand_tangent(p, reach.order, step.unit, C, tangent);
+        expand_tangent(p, control.order, step.unit, C, tangent);
         // If the motion hardly changes, as near the top, its series would allow steps that are too long for the displacement.
         if (const auto is_shaken = p.parameters.pivot_amplitude != 0.0; any<T>(is_shaken)) {
-            const T longest = taylor_length(reach, tangent.u[0], tangent.u) * step.unit;
+            const T longest = taylor_length(control, tangent.u[0], tangent.u) * step.unit;
             step.length = select<T>(is_shaken & (longest < step.length), longest, step.length);
         }
     }
@@ -46,7 +46,7 @@ void next_step(const TaylorPendulum<T>& p, TaylorReach reach, const Mask<T>& goe
 template <bool has_tangent>
 bool advance_pack(Chunk& chunk, TaylorChunk& steps, const Row& t, int most, int i) {
     const auto p = taylor_pendulum(load<T, Parameters>(chunk.parameters, i));
-    const TaylorReach reach{steps.order, steps.log2_fraction};
+    const StepControl control{steps.order, steps.log2_fraction};
     const T target = target_times(chunk, steps, t, i);
     auto step = load<T, TaylorStep>(steps.step, i);
     TangentStep<T> tangent{};
@@ -54,8 +54,8 @@ bool advance_pack(Chunk& chunk, TaylorChunk& steps, const Row& t, int most, int 
     int taken = 0;
     auto goes_on = ends_before(step, target);
     for (; taken < most && any<T>(goes_on); ++taken) {
-        next_step<has_tangent>(p, reach, goes_on, step, tangent);
-        give_up_endless(step, target);
+        next_step<has_tangent>(p, control, goes_on, step, tangent);
+        stop_endless(step, target);
         goes_on = ends_before(step, target);
     }
     if (taken > 0) store<T, TaylorStep>(steps.step, i, step);

@@ -107,7 +107,7 @@ bool precedes(const Attractor& a, const Attractor& b) noexcept {
 }
 
 /// Members with the same parameters and different initial states.
-struct Siblings {
+struct ParameterGroup {
     const MeasureCall& call;
     const std::size_t* members;
     std::size_t size;
@@ -139,9 +139,9 @@ struct Siblings {
         alone.drive_phase = 0.0;  // the point belongs to a time at which the phase of the drive is 0
         StrobedMembers m;
         load_strobed(m, alone, 0);
-        const Way way{call.strobe, thread, false};
+        const Propagation run{call.strobe, thread, false};
         for (double done = 0; done < a.period; ++done) {
-            if (done > 0 && !go_to_next_strobe(m, way)) return false;
+            if (done > 0 && !integrate_to_next_strobe(m, run)) return false;
             const auto point = done == 0 ? a.point : state_at(m, 0);
             if (precedes(point, a.point)) a.point = point;
             for (std::size_t i = exemplar; i < size; ++i)
@@ -183,7 +183,7 @@ bool has_lesser_parameters(const Ensemble& ensemble, std::size_t a, std::size_t 
 
 /// Lists the members so that those with the same parameters are adjacent, and lists where each group starts. Returns the number
 /// of groups.
-std::size_t group_siblings(const Ensemble& ensemble, std::size_t* members, std::size_t* starts) noexcept {
+std::size_t group_by_parameters(const Ensemble& ensemble, std::size_t* members, std::size_t* starts) noexcept {
     for (std::size_t i = 0; i < ensemble.size; ++i) members[i] = i;
     std::sort(members, members + ensemble.size, [&](std::size_t a, std::size_t b) {
         if (has_lesser_parameters(ensemble, a, b)) return true;
@@ -206,11 +206,11 @@ Outcome measure_attractors(const MeasureCall& call, const Control& control) noex
     if (!members || !starts) return Refusal{.reason = Refusal::Reason::memory, .name = "ensemble"};
     if (const auto outcome = observe<OrbitObserver>(call, part_of(control, 0, share_of_orbits)); !outcome.is_done())
         return outcome;
-    const std::size_t groups = group_siblings(call.ensemble, members.get(), starts.get());
+    const std::size_t groups = group_by_parameters(call.ensemble, members.get(), starts.get());
     return for_each_piece(groups, static_cast<double>(size), part_of(control, share_of_orbits, 1),
                           [&](Thread& thread, std::size_t group) {
                               const std::size_t first = starts[group], count = starts[group + 1] - first;
-                              Siblings{call, members.get() + first, count, thread}.label();
+                              ParameterGroup{call, members.get() + first, count, thread}.label();
                               thread.report(static_cast<double>(count));
                           });
 }

@@ -29,15 +29,15 @@ void renormalise(StrobedMembers& m, int i) noexcept {
 }
 
 /// Integrates members by rk4 from time 0 over their lengths of time [s]. Returns false if the call was stopped.
-bool take_steps(StrobedMembers& m, const Row& length, const Way& way) noexcept {
+bool take_steps(StrobedMembers& m, const Row& length, const Propagation& run) noexcept {
     // The number of steps between two checks for cancellation, and between two rescalings of the displacement. Within the
     // stability bounds one step multiplies the length of a displacement by 0.27 at least, so that 256 steps do not underflow:
     // 0.27^256 = 2^-484. The largest factor is 14.2, for sqrt(alpha + |pivot_amplitude|) h = 2.82 and reversed gravity. Over
     // 256 such steps the square of the length overflows, and the exponent is NaN.
     constexpr int most = 8 * kernels::block_steps;
     constexpr Row start = {};
-    return rk4_over(m.chunk, start, length, way.strobe.steps_per_period, way.has_tangent, most, way.thread, [&] {
-        for (int i = 0; way.has_tangent && i < m.chunk.count; ++i) renormalise(m, i);
+    return rk4_over(m.chunk, start, length, run.strobe.steps_per_period, run.has_tangent, most, run.thread, [&] {
+        for (int i = 0; run.has_tangent && i < m.chunk.count; ++i) renormalise(m, i);
     });
 }
 
@@ -50,11 +50,11 @@ double piece_count(const StrobedMembers& m, int i, double length) noexcept {
 }
 
 /// The same by Taylor's method, in pieces that depend on each member alone.
-bool take_taylor_steps(StrobedMembers& m, const Row& length, const Way& way) noexcept {
+bool take_taylor_steps(StrobedMembers& m, const Row& length, const Propagation& run) noexcept {
     Row pieces, start = {}, target;
     double longest = 1;
     for (int i = 0; i < chunk_size; ++i) {
-        pieces[i] = way.has_tangent ? piece_count(m, i, length[i]) : 1;
+        pieces[i] = run.has_tangent ? piece_count(m, i, length[i]) : 1;
         longest = pieces[i] > longest ? pieces[i] : longest;
     }
     kernels::TaylorChunk steps;
@@ -62,12 +62,12 @@ bool take_taylor_steps(StrobedMembers& m, const Row& length, const Way& way) noe
         const Chunk before = m.chunk;
         for (int i = 0; i < chunk_size; ++i)
             target[i] = piece + 1 < pieces[i] ? (piece + 1) / pieces[i] * length[i] : length[i];
-        start_taylor(steps, m.chunk, way.strobe.tolerance, start);
-        if (!taylor_to(m.chunk, steps, target, way.has_tangent, way.thread)) return false;
+        start_taylor(steps, m.chunk, run.strobe.tolerance, start);
+        if (!taylor_to(m.chunk, steps, target, run.has_tangent, run.thread)) return false;
         for (int i = 0; i < m.chunk.count; ++i) {
             if (piece >= pieces[i])
-                keep_member(m.chunk, before, i);
-            else if (way.has_tangent)
+                restore_member(m.chunk, before, i);
+            else if (run.has_tangent)
                 renormalise(m, i);
             start[i] = target[i];
         }
@@ -77,10 +77,10 @@ bool take_taylor_steps(StrobedMembers& m, const Row& length, const Way& way) noe
 
 /// Integrates members over their lengths of time [s], and rounds their states to the doubles that are reported. Returns false
 /// if the call was stopped.
-bool go(StrobedMembers& m, const Row& length, const Way& way) noexcept {
-    if (!(way.strobe.method == Method::taylor ? take_taylor_steps(m, length, way) : take_steps(m, length, way))) return false;
+bool integrate(StrobedMembers& m, const Row& length, const Propagation& run) noexcept {
+    if (!(run.strobe.method == Method::taylor ? take_taylor_steps(m, length, run) : take_steps(m, length, run))) return false;
     for (int i = 0; i < chunk_size; ++i) m.chunk.motion.theta_lo[i] = m.chunk.motion.omega_lo[i] = 0;
-    hold_resting(m.chunk);
+    restore_resting(m.chunk);
     return true;
 }
 
@@ -107,7 +107,7 @@ void load_strobed(StrobedMembers& m, const Ensemble& ensemble, std::size_t first
     }
 }
 
-bool go_to_first_strobe(StrobedMembers& m, const Way& way) noexcept {
+bool integrate_to_first_strobe(StrobedMembers& m, const Propagation& run) noexcept {
     Row length;
     bool moves = false;
     for (int i = 0; i < chunk_size; ++i) {
@@ -116,13 +116,13 @@ bool go_to_first_strobe(StrobedMembers& m, const Way& way) noexcept {
         moves = moves || length[i] > 0;
     }
     if (!moves) return true;
-    if (!go(m, length, {way.strobe, way.thread, false})) return false;
+    if (!integrate(m, length, {run.strobe, run.thread, false})) return false;
     for (double& phase : m.chunk.parameters.drive_phase) phase = 0;
     return true;
 }
 
-bool go_to_next_strobe(StrobedMembers& m, const Way& way) noexcept {
-    return go(m, m.period, way);
+bool integrate_to_next_strobe(StrobedMembers& m, const Propagation& run) noexcept {
+    return integrate(m, m.period, run);
 }
 
 }  // namespace pendula

@@ -15,7 +15,7 @@ struct StrobedMembers : Members {
 };
 
 /// How members are integrated to the next strobe time, and by which thread.
-struct Way {
+struct Propagation {
     const Strobe& strobe;
     Thread& thread;
     bool has_tangent;
@@ -26,10 +26,10 @@ void load_strobed(StrobedMembers& members, const Ensemble& ensemble, std::size_t
 
 /// Integrates members to the first strobe time, without their displacements. This function and the next return false if the
 /// call was stopped.
-bool go_to_first_strobe(StrobedMembers& members, const Way& way) noexcept;
+bool integrate_to_first_strobe(StrobedMembers& members, const Propagation& run) noexcept;
 
 /// Integrates members to the next strobe time, and their displacements if has_tangent is true.
-bool go_to_next_strobe(StrobedMembers& members, const Way& way) noexcept;
+bool integrate_to_next_strobe(StrobedMembers& members, const Propagation& run) noexcept;
 
 /// The arguments of one call of `measure`.
 struct MeasureCall {
@@ -53,12 +53,12 @@ Outcome observe(const MeasureCall& call, const Control& control) noexcept {
     const Strobe& strobe = call.strobe;
     const double units = static_cast<double>(call.ensemble.size) * (strobe.transient + strobe.periods);
     return for_each_piece(chunks_of(call.ensemble.size), units, control, [&](Thread& thread, std::size_t chunk) {
-        const Way way{strobe, thread, Observer::has_tangent};
+        const Propagation run{strobe, thread, Observer::has_tangent};
         StrobedMembers m;
         load_strobed(m, call.ensemble, chunk * kernels::chunk_size);
-        if (!go_to_first_strobe(m, way)) return;
+        if (!integrate_to_first_strobe(m, run)) return;
         const auto go_on = [&] {
-            if (!go_to_next_strobe(m, way)) return false;
+            if (!integrate_to_next_strobe(m, run)) return false;
             thread.report(m.chunk.count);
             return true;
         };

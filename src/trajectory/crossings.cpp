@@ -167,7 +167,7 @@ bool next_crossing(Crossings& search, double until, Crossing& crossing, double s
             if (crosses(search, search.run.step, until, crossing)) return true;
             if (search.cut == cut) return false;  // the next crossing is later than `until`
         }
-        if (!goes_on_to(search.run, until) || --step_budget < 0) return false;
+        if (!needs_step_to(search.run, until) || --step_budget < 0) return false;
         step(search.run);
         cut_step(search);
     }

@@ -24,9 +24,9 @@ inline void rk4_steps(const kernels::Rk4Step<double>& step, double row_time, dou
 }
 
 /// Whether another Taylor step is needed to reach time t. A motion that needs more than 2^53 steps becomes NaN.
-inline bool goes_on_to(Taylor& run, double t) noexcept {
+inline bool needs_step_to(Taylor& run, double t) noexcept {
     if (reaches(run, t)) return false;
-    kernels::give_up_endless(run.step, t);
+    kernels::stop_endless(run.step, t);
     return run.step.length == run.step.length;
 }
 

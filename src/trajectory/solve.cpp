@@ -59,16 +59,16 @@ void plain_steps(Trajectory& run, double t, double h, int steps, Step step) noex
 
 /// Makes steps towards the next row, in whole blocks that are counted from the last row. So the blocks, and with them the bits,
 /// do not depend on the budget of the caller.
-int take_steps(Trajectory& run, const Segment& way) noexcept {
+int take_steps(Trajectory& run, const Segment& segment) noexcept {
     constexpr int most = 64 * kernels::block_steps;
-    const double left = way.steps - run.steps_done, h = way.step();
+    const double left = segment.steps - run.steps_done, h = segment.step();
     const int steps = left < most ? static_cast<int>(left) : most;
-    const double t = way.start + run.steps_done * h;
+    const double t = segment.start + run.steps_done * h;
     if (run.problem.method == Method::euler) plain_steps(run, t, h, steps, euler_step);
     if (run.problem.method == Method::verlet) plain_steps(run, t, h, steps, verlet_step);
     if (run.problem.method == Method::rk4) {
         auto x = __builtin_bit_cast(kernels::Motion<double>, run.motion);
-        rk4_steps(kernels::rk4_constants(parameters_of(run.problem.pendulum), h), way.start, run.steps_done, x, steps);
+        rk4_steps(kernels::rk4_constants(parameters_of(run.problem.pendulum), h), segment.start, run.steps_done, x, steps);
         run.motion = __builtin_bit_cast(Motion, x);
     }
     run.steps_done += steps;
@@ -80,7 +80,7 @@ std::size_t taylor_rows(Trajectory& run, std::span<Sample> rows, double step_bud
     std::size_t count = 0;
     for (; count < rows.size() && !run.is_finished(); ++count) {
         const double t = run.problem.schedule.time_of(run.rows_done);
-        for (; goes_on_to(run.taylor, t); --step_budget) {
+        for (; needs_step_to(run.taylor, t); --step_budget) {
             if (step_budget <= 0) return count;
             step(run.taylor);
         }
@@ -103,10 +103,10 @@ Refusal check(const Schedule& s) noexcept {
 
 /// Refuses times after the latest time of the closed form.
 Refusal check_latest(const Pendulum& p, State initial, double t) noexcept {
-    constexpr double surely = 0x1p20;  // in periods; no latest time is earlier: see `latest_time`
-    const double periods = t * (arithmetic::abs(initial.omega) + 2 * arithmetic::sqrt(p.alpha)) /
-                           (2 * pi);  // an upper bound: |omega| <= |omega0| + 2 sqrt(alpha)
-    if (periods <= surely) return {};
+    constexpr double safe_periods = 0x1p20;  // `latest_time` is at least so many periods
+    // An upper bound of the number of periods, by |omega| <= |omega0| + 2 sqrt(alpha).
+    const double periods = t * (arithmetic::abs(initial.omega) + 2 * arithmetic::sqrt(p.alpha)) / (2 * pi);
+    if (periods <= safe_periods) return {};
     const double latest = latest_time(make_exact(p.alpha, initial));
     return t <= latest ? Refusal{} : Refusal{.reason = Refusal::Reason::too_late, .name = "t", .value = t, .most = latest};
 }
@@ -162,10 +162,10 @@ std::size_t advance(Trajectory& run, std::span<Sample> rows, double step_budget)
             count += evaluate(run, rows.subspan(count));
             continue;
         }
-        const auto way = segment_to_next_row(run);
-        while (run.steps_done < way.steps) {
+        const auto segment = segment_to_next_row(run);
+        while (run.steps_done < segment.steps) {
             if (step_budget <= 0) return count;
-            step_budget -= take_steps(run, way);
+            step_budget -= take_steps(run, segment);
         }
         rows[count++] = current(run);
         run.rows_done += 1;

@@ -19,9 +19,9 @@ Taylor make_taylor(const Pendulum& pendulum, State initial, double tolerance, do
     const bool is_legal = !check(pendulum, initial) && satisfies(Rule::fraction, tolerance) && satisfies(Rule::finite, t);
     Taylor run;
     run.pendulum = pendulum;
-    const auto reach = kernels::taylor_reach(satisfies(Rule::fraction, tolerance) ? tolerance : 0.5);
-    run.order = reach.order;
-    run.log2_fraction = reach.log2_fraction;
+    const auto control = kernels::step_control(satisfies(Rule::fraction, tolerance) ? tolerance : 0.5);
+    run.order = control.order;
+    run.log2_fraction = control.log2_fraction;
     const auto angle = split_turns(initial.theta);
     run.step.start = {is_legal ? angle.theta : nan, is_legal ? initial.omega : nan, angle.turns};
     run.step.t = t;
@@ -30,7 +30,7 @@ Taylor make_taylor(const Pendulum& pendulum, State initial, double tolerance, do
 }
 
 void step(Taylor& run) noexcept {
-    kernels::go_to_end(run.step);
+    kernels::move_to_end(run.step);
     expand(run);
 }
 
@@ -44,9 +44,9 @@ Sample at(const Taylor& run, double t) noexcept {
 }  // namespace pendula
 
 void pendula::kernels::start_taylor(TaylorChunk& steps, const Chunk& chunk, double tolerance, const Row& t) noexcept {
-    const auto reach = taylor_reach(tolerance);
-    steps.order = reach.order;
-    steps.log2_fraction = reach.log2_fraction;
+    const auto control = step_control(tolerance);
+    steps.order = control.order;
+    steps.log2_fraction = control.log2_fraction;
     steps.step = {};
     steps.tangent = {};
     steps.step.start = chunk.motion;

@@ -38,7 +38,7 @@ std::vector<Driven> driven() {
 }
 
 Sample solved(Taylor& run, double t) {
-    while (goes_on_to(run, t)) step(run);
+    while (needs_step_to(run, t)) step(run);
     return at(run, t);
 }
 

@@ -124,7 +124,7 @@ std::string nearest(std::string_view typed, const std::vector<std::string>& name
     }
     if (!best.empty()) return best;
     const auto last_words = typed.substr(std::min(typed.find_first_not_of('-'), typed.size()));
-    const auto ends_so = [&](const std::string& name) { return name.ends_with("-" + std::string(last_words)); };
+    const auto ends_so = [&](const std::string& name) { return name.ends_with(std::string("-").append(last_words)); };
     const auto found = std::ranges::find_if(names, ends_so);
     return last_words.empty() || found == names.end() ? std::string() : *found;
 }

@@ -121,8 +121,6 @@ bool go_to_first_strobe(StrobedMembers& m, const Way& way) noexcept {
     return true;
 }
 
-bool go_to_next_strobe(StrobedMembers& m, const Way& way) noexcept {
-    return go(m, m.period, way);
-}
+bool go_to_next_strobe(StrobedMembers& m, const Way& way) noexcept { return go(m, m.period, way); }
 
 }  // namespace pendula

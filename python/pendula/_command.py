@@ -10,20 +10,19 @@ import sys
 import sysconfig
 import textwrap
 from contextlib import suppress
-from itertools import pairwise
 from pathlib import Path
 from typing import IO, TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
 import numpy as np
 
 from pendula._arguments import Parameters
-from pendula._core import version
+from pendula._core import Status, language_of, version
 from pendula._solution import Solution
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
-DONE, BAD_DATA, BAD_USAGE, NOT_WRITTEN, INTERRUPTED = 0, 1, 2, 3, 130  # the program's statuses
+DONE, BAD_DATA, BAD_USAGE, NOT_WRITTEN, INTERRUPTED = map(int, Status)
 
 LANGUAGES = ("en", "es")
 Text: TypeAlias = tuple[str, str]
@@ -55,18 +54,6 @@ TEXTS: dict[str, Text] = {
 def say(text: Text, lang: str, *values: object, **named: object) -> str:
     """A text in a language, with its values."""
     return text[LANGUAGES.index(lang)].format(*values, **named)
-
-
-def language(arguments: Sequence[str]) -> str:
-    """That of --lang, wherever it stands among the arguments, else the environment's: Spanish where it begins with "es"."""
-    for argument, following in pairwise((*arguments, "")):
-        name, _, value = argument.partition("=")
-        if name == "--lang" and (value or following) in LANGUAGES:
-            return value or following
-    for variable in ("LC_ALL", "LC_MESSAGES", "LANG"):
-        if os.environ.get(variable):
-            return "es" if os.environ[variable].startswith("es") else "en"
-    return "en"
 
 
 class RefusedError(Exception):
@@ -102,7 +89,7 @@ COMMON = (Option("--lang", TEXTS["lang"], "L"), Option("--help", TEXTS["help"]),
 def run(command: Command, work: Callable[[dict[str, str], list[str], str], int]) -> int:
     """A console script: does the work with its options, other words and language, and returns the status to end with."""
     arguments = sys.argv[1:]
-    lang = language(arguments)
+    lang = language_of(arguments)
     try:
         given, rest = read_options(command, arguments)
         if "--help" in given:

@@ -57,7 +57,9 @@ void exact(const Exact& solution, std::size_t n, const double* t, double* theta,
 template <bool has_tangent>
 void rk4(Chunk& c, const Row& row_time, const Row& h, double first, int steps) {
     for (int i = 0; i < c.count; i += width) {
-        const auto k = rk4_constants(load<T, Parameters>(c.parameters, i), load<T>(h, i));
+        const T step = load<T>(h, i);
+        if (!any<T>(step != 0.0)) continue;
+        const auto k = rk4_constants(load<T, Parameters>(c.parameters, i), step);
         const T start = load<T>(row_time, i);
         auto x = load<T, Motion>(c.motion, i);
         auto tangent = load<T, Tangent>(c.tangent, i);

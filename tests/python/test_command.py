@@ -86,7 +86,7 @@ def test_the_option_goes_before_the_environment(monkeypatch, arguments, environm
         monkeypatch.delenv(name, raising=False)
     for name, value in environment.items():
         monkeypatch.setenv(name, value)
-    assert _command.language(arguments) == lang
+    assert _command.language_of(arguments) == lang
 
 
 @pytest.mark.parametrize("name", SCRIPTS)

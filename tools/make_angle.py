@@ -16,7 +16,7 @@ ctx.prec = 2400
 random.seed(20260103)
 
 
-SEARCHED = [(float.fromhex("-0x1.f9e795dcf9bacp-3"), 1.0)]  # the largest error of phase among a million arguments
+SEARCHED = [(float.fromhex("-0x1.f9e795dcf9bacp-3"), 1.0)]  # the argument with the largest error of phase among a million
 
 
 def angles() -> list[float]:

@@ -32,19 +32,22 @@ struct Exact {
 /// The prepared closed form. Same arguments as `analyze`. An argument outside its interval gives NaN at every time.
 Exact make_exact(double alpha, State initial) noexcept;
 
-/// The largest |t| [s] for which `at` and `sinusoid` give a result; beyond it they give NaN. It is 2^52 tau, where a double no
-/// longer counts half periods. Near the separatrix it is smaller, where the period is not known well enough to give the phase to
-/// 2^-41 of a period, but never smaller than 2^20 tau. On the separatrix, which has no period, it is the largest double.
+/// The largest |t| [s] for which `at` and `sinusoid` give a result; beyond it they give NaN. It is at most 2^52 tau, where a
+/// double can no longer count half periods. Close to the separatrix it is smaller: there it is the time at which the error of
+/// the phase may reach 2^-41 of a period, because the period is known less well. It is at least 2^20 tau. On the separatrix,
+/// which has no period, it is the largest double.
 double latest_time(const Exact& solution) noexcept;
 
 /// The state at time t [s] of either sign, |t| <= `latest_time`. theta in [-pi, pi) [rad], omega [rad/s], whole turns.
 ///
-/// The errors of theta [rad, mod 2 pi] and of omega [relative to its maximum] are at most (tests/cpp/exact_test.cpp)
+/// With kappa' = cos^2(theta0/2) - omega0^2/(4 alpha), the errors of theta [rad, mod 2 pi; relative to theta_max if that is
+/// below 1] and of omega [relative to its maximum] are at most (tests/cpp/exact_test.cpp)
 ///     1e-14 for |t| <= 30 tau,
-///     1e-13 to 1e6 tau where |kappa'| >= 1e-12, and 1e-25/|kappa'| nearer to the separatrix,
-///     1e-13 to `latest_time` where |kappa'| >= cos^2(theta/2)/10, as for all that start at rest; otherwise 1e-9.
-/// On the separatrix, with zeta(t) = asinh(tan(theta/2)) +- sqrt(alpha) t, omega decays to 0, and its relative error is at most
-/// (4 + 3 |zeta(t)| + 6 |zeta(0)|) 2^-53. A start within 1e-6 of the top can double the first bound there. NaN gives NaN.
+///     1e-13 for |t| <= 1e6 tau if |kappa'| >= 1e-12, and 1e-25/|kappa'| closer to the separatrix,
+///     1e-13 up to `latest_time` if |kappa'| >= cos^2(theta0/2)/10, which holds for every start at rest; otherwise 1e-9.
+/// On the separatrix omega decays to 0. With zeta(t) = asinh(tan(theta0/2)) +- sqrt(alpha) t, its relative error is at most (4
+/// + 3 |zeta(t)| + 6 |zeta(0)|) 2^-53. The first of the bounds above can be twice as large there for a start within 1e-6 of the
+/// top. NaN for a later time and for NaN.
 Sample at(const Exact& solution, double t) noexcept;
 
 /// `at` for n times, with the same bits, by the vector instructions of this processor. Input: t [s]. Outputs: theta in [-pi,

@@ -14,10 +14,10 @@ namespace {
 constexpr int width = 8;  // a divisor of chunk_size
 using T = Pack<width>;
 
-/// Computes the late samples again, by what serves them.
-void mend_late(const Exact& e, std::size_t n, const double* t, double* theta, double* omega, double* turns) {
+/// Computes the samples at late times again, by `late_closed_form`.
+void recompute_late(const Exact& e, std::size_t n, const double* t, double* theta, double* omega, double* turns) {
     const double ordinary = ordinary_time(e);
-    using Register = Pack<register_width>;  // two of them side by side would be kept in memory
+    using Register = Pack<register_width>;  // a Twin of two would be kept in memory
     Mask<Register> is_late{};
     std::size_t i = 0;
     for (; i + register_width <= n; i += register_width) {
@@ -39,7 +39,7 @@ void mend_late(const Exact& e, std::size_t n, const double* t, double* theta, do
 
 void exact(const Exact& solution, std::size_t n, const double* t, double* theta, double* omega, double* turns) {
     const Exact e = solution;  // a copy, which the stores below cannot change
-    // `bytes` is a constant for whole packs; else each load and store would be a call.
+    // `bytes` returns a constant for every pack but the last; otherwise each load and store would be a function call.
     const auto sample = [&](std::size_t from, auto bytes) {
         T time{};
         __builtin_memcpy(&time, t + from, bytes());
@@ -51,7 +51,7 @@ void exact(const Exact& solution, std::size_t n, const double* t, double* theta,
     std::size_t i = 0;
     for (; i + width <= n; i += width) sample(i, [] { return sizeof(T); });
     if (i < n) sample(i, [&] { return (n - i) * sizeof(double); });  // the tail runs the same operations on a padded pack
-    mend_late(e, n, t, theta, omega, turns);
+    recompute_late(e, n, t, theta, omega, turns);
 }
 
 template <bool has_tangent>

@@ -121,8 +121,6 @@ bool integrate_to_first_strobe(StrobedMembers& m, const Propagation& run) noexce
     return true;
 }
 
-bool integrate_to_next_strobe(StrobedMembers& m, const Propagation& run) noexcept {
-    return integrate(m, m.period, run);
-}
+bool integrate_to_next_strobe(StrobedMembers& m, const Propagation& run) noexcept { return integrate(m, m.period, run); }
 
 }  // namespace pendula

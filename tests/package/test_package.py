@@ -83,7 +83,15 @@ def test_example_phase_portrait(examples):
 
 def test_example_bifurcation(examples):
     rows = examples("bifurcation")[1:]
-    assert [row[:2] for row in rows] == [[0.9, 1], [1.07, 2], [1.15, 0], [1.35, 1], [1.45, 2], [1.47, 4], [1.5, 0]]  # as published
+    assert [row[:2] for row in rows] == [
+        [0.9, 1],
+        [1.07, 2],
+        [1.15, 0],
+        [1.35, 1],
+        [1.45, 2],
+        [1.47, 4],
+        [1.5, 0],
+    ]  # as published
     exponents = [row[2] for row in rows]
     assert exponents[0] == exponents[3] == -0.25  # half the friction
     assert [x > 0 for x in exponents] == [period == 0 for _, period, _ in rows]

@@ -240,9 +240,9 @@ void ensembles(Hash& hash) {
         beta[i] = random(0, 1);
         drive[i] = random(0, 2);
     }
-    const EnsembleTimes times{.first = 1.5, .every = 3 * pi, .rows = row_count, .steps_to_first = 333, .steps_per_row = 333};
+    const EnsembleTimes when{.first = 1.5, .every = 3 * pi, .rows = row_count, .steps_to_first = 333, .steps_per_row = 333};
     const auto visit = [&](const Ensemble& ensemble, Method method) {
-        const auto outcome = solve(ensemble, method, 1e-15, times, {row_theta, row_omega, row_turns}, {.threads = threads});
+        const auto outcome = solve(ensemble, method, 1e-15, when, {row_theta, row_omega, row_turns}, {.threads = threads});
         if (!outcome.is_done()) hash(nan);
         for (std::size_t i = 0; i < size * row_count; ++i)
             hash(i % size == 100 ? Sample{0, nan, nan, nan} : Sample{0, row_theta[i], row_omega[i], row_turns[i]});

@@ -13,8 +13,7 @@ constexpr int words = 6;  // a window of 192 bits
 /// 32 bits of 2/pi: those after the first `from` bits behind the binary point. Bits before the binary point are 0.
 std::uint32_t bits_of_two_over_pi(int from) noexcept {
     const auto word = [](int i) -> std::uint64_t { return i < 0 ? 0 : two_over_pi_words[i]; };
-    const int index = from >= 0 ? from / 32 : -((31 - from) / 32);
-    const int shift = from - 32 * index;
+    const int index = from >> 5, shift = from & 31;  // also of negative numbers
     return static_cast<std::uint32_t>(((word(index) << 32 | word(index + 1)) << shift) >> 32);
 }
 

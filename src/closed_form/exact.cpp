@@ -162,9 +162,9 @@ Exact make_exact(double alpha, State initial) noexcept {
 
 double latest_time(const Exact& solution) noexcept { return solution.latest; }
 
-Sample at(const Exact& e, double t) noexcept {
-    const bool is_late = abs(t) > kernels::ordinary_time(e);
-    const auto s = is_late ? kernels::late_closed_form(e, t) : kernels::closed_form(e, t);
+Sample at(const Exact& solution, double t) noexcept {
+    const bool is_late = abs(t) > kernels::ordinary_time(solution);
+    const auto s = is_late ? kernels::late_closed_form(solution, t) : kernels::closed_form(solution, t);
     return {t, s.theta, s.omega, s.turns};
 }
 
@@ -172,14 +172,14 @@ void at(const Exact& solution, std::size_t n, const double* t, double* theta, do
     kernels::dispatch().exact(solution, n, t, theta, omega, turns);
 }
 
-double sinusoid(const Exact& e, double t) noexcept {
-    if (e.analysis.regime != Regime::oscillation) return __builtin_nan("");
-    const double amplitude = e.analysis.theta_max;
+double sinusoid(const Exact& solution, double t) noexcept {
+    if (solution.analysis.regime != Regime::oscillation) return __builtin_nan("");
+    const double amplitude = solution.analysis.theta_max;
     if (amplitude == 0) return 0;
-    const bool is_late = abs(t) > kernels::ordinary_time(e);
-    const auto rate = kernels::to_rate(Number{e.rate_hi, e.rate_lo});
-    const auto p = is_late ? kernels::late_phase(e, 0.0, t) : kernels::phase_at(t, rate, 0.0);
-    const double start = pendula::phase(wrap(e.initial.theta) / amplitude, e.initial.omega);
+    const bool is_late = abs(t) > kernels::ordinary_time(solution);
+    const auto rate = kernels::to_rate(Number{solution.rate_hi, solution.rate_lo});
+    const auto p = is_late ? kernels::late_phase(solution, 0.0, t) : kernels::phase_at(t, rate, 0.0);
+    const double start = pendula::phase(wrap(solution.initial.theta) / amplitude, solution.initial.omega);
     return amplitude * kernels::alternate(sin(pi * p.fraction + start), p.whole);
 }
 

@@ -169,9 +169,10 @@ Outcome solve(const Ensemble& ensemble, Method method, double tolerance, const E
         return for_each_piece(ensemble.size, units, control,
                               [&](Thread& thread, std::size_t member) { call.member_rows(thread, member); });
     std::unique_ptr<std::size_t[]> order;
-    const bool differs = times.steps_per_row.length() > 1 || times.steps_to_first.length() > 1;
-    if (method == Method::rk4 && differs && !(order = order_by_steps(ensemble.size, times)))
-        return Refusal{.reason = Refusal::Reason::memory, .name = "ensemble"};
+    if (method == Method::rk4 && (times.steps_per_row.length() > 1 || times.steps_to_first.length() > 1)) {
+        order = order_by_steps(ensemble.size, times);
+        if (!order) return Refusal{.reason = Refusal::Reason::memory, .name = "ensemble"};
+    }
     return for_each_piece(chunks_of(ensemble.size), units, control, [&](Thread& thread, std::size_t chunk) {
         Members m;
         load_members(m, ensemble, chunk * chunk_size, order.get());

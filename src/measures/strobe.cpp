@@ -20,7 +20,13 @@ constexpr double two_pi = 2 * pi;
 
 /// Rescales the displacement of member i to length 1, and adds the logarithm of its growth.
 void renormalise(StrobedMembers& m, int i) noexcept {
+    constexpr double large = 0x1p500, log_of_large = 0x1.5a92d6d005c94p+8;  // the square of a larger length may overflow
     auto& d = m.chunk.tangent;
+    if (abs(d.theta[i]) > large || abs(d.omega[i] / m.root_alpha[i]) > large) {
+        d.theta[i] /= large;
+        d.omega[i] /= large;
+        m.growth[i] += log_of_large;
+    }
     const double d_omega = d.omega[i] / m.root_alpha[i];
     const double length = sqrt(d.theta[i] * d.theta[i] + d_omega * d_omega);
     m.growth[i] += arithmetic::log(length);
@@ -31,9 +37,9 @@ void renormalise(StrobedMembers& m, int i) noexcept {
 /// Integrates members by rk4 from time 0 over their lengths of time [s]. Returns false if the call was stopped.
 bool take_steps(StrobedMembers& m, const Row& length, const Propagation& run) noexcept {
     // The number of steps between two checks for cancellation, and between two rescalings of the displacement. Within the
-    // stability bounds one step multiplies the length of a displacement by 0.27 at least, so that 256 steps do not underflow:
-    // 0.27^256 = 2^-484. The largest factor is 14.2, for sqrt(alpha + |pivot_amplitude|) h = 2.82 and reversed gravity. Over
-    // 256 such steps the square of the length overflows, and the exponent is NaN.
+    // stability bounds one step multiplies the length of a displacement by at least 0.27, and by at most 14.2 (for
+    // sqrt(alpha + |pivot_amplitude|) h = 2.82 and reversed gravity). So 256 steps stay in the range of doubles: 0.27^256 =
+    // 2^-484, 14.2^256 = 2^980.
     constexpr int most = 8 * kernels::block_steps;
     constexpr Row start = {};
     return rk4_over(m.chunk, start, length, run.strobe.steps_per_period, run.has_tangent, most, run.thread, [&] {

@@ -154,22 +154,23 @@ Trajectory begin(const Problem& problem) noexcept {
     return run;
 }
 
-std::size_t advance(Trajectory& run, std::span<Sample> rows, double step_budget) noexcept {
-    if (run.problem.method == Method::taylor && !run.is_resting) return taylor_rows(run, rows, step_budget);
+std::size_t advance(Trajectory& trajectory, std::span<Sample> rows, double step_budget) noexcept {
+    if (trajectory.problem.method == Method::taylor && !trajectory.is_resting)
+        return taylor_rows(trajectory, rows, step_budget);
     std::size_t count = 0;
-    while (count < rows.size() && !run.is_finished()) {
-        if (run.is_resting || run.problem.method == Method::exact) {
-            count += evaluate(run, rows.subspan(count));
+    while (count < rows.size() && !trajectory.is_finished()) {
+        if (trajectory.is_resting || trajectory.problem.method == Method::exact) {
+            count += evaluate(trajectory, rows.subspan(count));
             continue;
         }
-        const auto segment = segment_to_next_row(run);
-        while (run.steps_done < segment.steps) {
+        const auto segment = segment_to_next_row(trajectory);
+        while (trajectory.steps_done < segment.steps) {
             if (step_budget <= 0) return count;
-            step_budget -= take_steps(run, segment);
+            step_budget -= take_steps(trajectory, segment);
         }
-        rows[count++] = current(run);
-        run.rows_done += 1;
-        run.steps_done = 0;
+        rows[count++] = current(trajectory);
+        trajectory.rows_done += 1;
+        trajectory.steps_done = 0;
     }
     return count;
 }

@@ -1,4 +1,5 @@
 // Lyapunov exponents: analytic values, identities, and errors that are what they say.
+#include <complex>
 #include <random>
 
 #include "ensemble/members.hpp"
@@ -95,6 +96,27 @@ TEST(Lyapunov, IsKnownForDrivesSoSlowThatAPeriodShrinksDisplacementsOutOfRange) 
         const Flock flock{.theta = {0.1}, .beta = {1}, .drive_amplitude = {0.1}, .drive_frequency = {0.001}};
         EXPECT_NEAR(exponents_of(flock, {0, 2, 40000, method}).exponent[0], -0.5, 0.001);
     }
+}
+
+TEST(Lyapunov, IsKnownWhereAFewStepsGrowOutOfTheRangeOfSquares) {
+    // Gravity turns round for half of a slow period; a coarse step then multiplies the displacement by up to 14.
+    const Pendulum p{.pivot_amplitude = -10, .drive_frequency = 0.001};
+    Flock flock{.theta = {0}, .drive_frequency = {0.001}};
+    flock.pivot_amplitude = {-10};
+    const Strobe coarse{.transient = 0, .periods = 2, .steps_per_period = fewest_steps(p)};
+    const Strobe fine{.transient = 0, .periods = 2, .method = Method::taylor};
+    const double exact_growth = exponents_of(flock, fine).exponent[0];
+    EXPECT_NEAR(exact_growth, 1.0757, 1e-4);
+    // Where the drive is this slow, each step multiplies the displacement by |1 + z + z^2/2 + z^3/6 + z^4/24|, z^2 = (10 cos -
+    // 1) h^2.
+    const double h = 2 * pi / p.drive_frequency / coarse.steps_per_period;
+    double growth = 0;
+    constexpr int phases = 20000;
+    for (int i = 0; i < phases; ++i) {
+        const auto z = std::sqrt(std::complex<double>(10 * std::cos(2 * pi * (i + 0.5) / phases) - 1)) * h;
+        growth += std::log(std::abs(1.0 + z * (1.0 + z / 2.0 * (1.0 + z / 3.0 * (1.0 + z / 4.0))))) / phases / h;
+    }
+    EXPECT_NEAR(exponents_of(flock, coarse).exponent[0], growth, 0.001);  // the change of z within a step is left out
 }
 
 TEST(Lyapunov, HistoryEndsAtTheExponentAndFollowsThePeriods) {

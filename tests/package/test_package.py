@@ -37,7 +37,7 @@ def test_every_public_header_is_installed(prefix):
 
 @pytest.fixture(scope="module")
 def examples(prefix, tmp_path_factory):
-    """Runs one of examples/, which are built by find_package, and gives the numbers of each line that it prints."""
+    """The folder of the programs of examples/, built by find_package."""
     folder = tmp_path_factory.mktemp("examples")
     sources = folder / "source"
     sources.mkdir()
@@ -46,12 +46,13 @@ def examples(prefix, tmp_path_factory):
     run("cmake", "-S", sources, "-B", folder / "build", f"-DCMAKE_PREFIX_PATH={prefix}")
     run("cmake", "--build", folder / "build")
 
-    def lines(name):
-        printed = run("sh", "-c", f"cd {folder} && build/{name}")
-        return [[float(x) for x in re.findall(r"(?<![\w^])[-+]?\d+(?:\.\d+)?", line)] for line in printed.splitlines()]
+    return folder
 
-    lines.folder = folder
-    return lines
+
+def printed(examples, name):
+    """The numbers of each line that an example prints."""
+    text = run("sh", "-c", f"cd {examples} && build/{name}")
+    return [[float(x) for x in re.findall(r"(?<![\w^])[-+]?\d+(?:\.\d+)?", line)] for line in text.splitlines()]
 
 
 def arithmetic_geometric_mean(a, b):
@@ -61,7 +62,7 @@ def arithmetic_geometric_mean(a, b):
 
 
 def test_example_period_and_amplitude(examples):
-    rows = {row[0]: row[1:] for row in examples("period_and_amplitude")[1:]}
+    rows = {row[0]: row[1:] for row in printed(examples, "period_and_amplitude")[1:]}
     assert list(rows) == [1, 30, 90, 150, 179]
     for degrees, (period, series, measured) in rows.items():
         exact = 1 / arithmetic_geometric_mean(1, math.cos(math.radians(degrees) / 2))
@@ -72,7 +73,7 @@ def test_example_period_and_amplitude(examples):
 
 
 def test_example_phase_portrait(examples):
-    rows = [row for row in examples("phase_portrait") if len(row) == 3]
+    rows = [row for row in printed(examples, "phase_portrait") if len(row) == 3]
     assert len(rows) == 6 * 21
     alpha = 9.81 / 0.5
     for number, of_top in enumerate((0.1, 0.5, 0.9, 1.0, 1.1, 2.0)):
@@ -82,7 +83,7 @@ def test_example_phase_portrait(examples):
 
 
 def test_example_bifurcation(examples):
-    rows = examples("bifurcation")[1:]
+    rows = printed(examples, "bifurcation")[1:]
     assert [row[:2] for row in rows] == [
         [0.9, 1],
         [1.07, 2],
@@ -95,11 +96,11 @@ def test_example_bifurcation(examples):
     exponents = [row[2] for row in rows]
     assert exponents[0] == exponents[3] == -0.25  # half the friction
     assert [x > 0 for x in exponents] == [period == 0 for _, period, _ in rows]
-    assert len((examples.folder / "bifurcation.txt").read_text().splitlines()) == 40_100
+    assert len((examples / "bifurcation.txt").read_text().splitlines()) == 40_100
 
 
 def test_example_current_voltage(examples):
-    for current, voltage, law, driven in examples("current_voltage")[1:]:
+    for current, voltage, law, driven in printed(examples, "current_voltage")[1:]:
         assert law == pytest.approx(math.sqrt(max(current**2 - 1, 0)) / 10, abs=6e-5)
         assert voltage == pytest.approx(law, abs=3e-4)  # of order alpha/beta^2, and a turn in 5000 periods
         if current in (1.1, 1.5):
@@ -107,7 +108,7 @@ def test_example_current_voltage(examples):
 
 
 def test_example_kapitza(examples):
-    for part, departure in examples("kapitza")[1:]:
+    for part, departure in printed(examples, "kapitza")[1:]:
         assert departure > 3 if part < 1 else departure < 0.02
 
 
@@ -120,7 +121,7 @@ def compile_with_pkg_config(prefix, source, program):
 
 def test_pkg_config(prefix, examples, tmp_path):
     program = compile_with_pkg_config(prefix, EXAMPLES / "kapitza.cpp", tmp_path / "kapitza")
-    assert run(program) == run(examples.folder / "build" / "kapitza")
+    assert run(program) == run(examples / "build" / "kapitza")
 
 
 @pytest.mark.parametrize("readme", READMES, ids=lambda path: path.name)

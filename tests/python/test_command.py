@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 from conftest import PROGRAM
-from pendula import _command
+from pendula import _command, _core
 from pendula._command import RefusedError
 
 SCRIPTS = ("check", "plot")
@@ -86,7 +86,7 @@ def test_the_option_goes_before_the_environment(monkeypatch, arguments, environm
         monkeypatch.delenv(name, raising=False)
     for name, value in environment.items():
         monkeypatch.setenv(name, value)
-    assert _command.language_of(arguments) == lang
+    assert _core.language_of(arguments) == lang
 
 
 @pytest.mark.parametrize("name", SCRIPTS)

@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING, Literal, TypeAlias
 import numpy as np
 import numpy.typing as npt
 
+from pendula import _core
+
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
@@ -22,21 +24,14 @@ BLUE, VERMILION, GREEN, PURPLE, ORANGE, SKY = "#0072b2", "#d55e00", "#009e73", "
 COLORS = (BLUE, VERMILION, GREEN, PURPLE, ORANGE, SKY)
 GREY = "0.45"
 
-LABELS = {
-    "t": "$t$ [s]",
-    "theta": r"$\theta$ [rad]",
-    "omega": r"$\omega$ [rad/s]",
-    "theta0": r"$\theta_0$ [rad]",
-    "omega0": r"$\omega_0$ [rad/s]",
-    "alpha": r"$\alpha$ [s$^{-2}$]",
-    "beta": r"$\beta$ [s$^{-1}$]",
-    "torque": r"$\mu$ [s$^{-2}$]",
-    "drive_amplitude": r"$\Gamma$ [s$^{-2}$]",
-    "drive_frequency": r"$\Omega$ [rad/s]",
-    "drive_phase": r"$\varphi$ [rad]",
-    "velocity": r"$\langle\omega\rangle$ [rad/s]",
-    "lyapunov": r"$\lambda$ [s$^{-1}$]",
-}
+
+def _with_unit(symbol: str, unit: str) -> str:
+    """A label: $θ_0$ [rad] of θ0 and rad."""
+    return f"${symbol.replace('0', '_0')}$ [{unit}]"
+
+
+QUANTITIES = [*_core.parameters, *(column for measure in _core.measures for column in measure.columns if column.symbol)]
+LABELS = {"t": "$t$ [s]"} | {each.name: _with_unit(each.symbol, each.unit) for each in QUANTITIES}
 
 
 def new_figure(size: tuple[float, float] | None = None) -> Figure:

@@ -30,8 +30,11 @@ def _with_unit(symbol: str, unit: str) -> str:
     return f"${symbol.replace('0', '_0')}$ [{unit}]"
 
 
-QUANTITIES = [*_core.parameters, *(column for measure in _core.measures for column in measure.columns if column.symbol)]
-LABELS = {"t": "$t$ [s]"} | {each.name: _with_unit(each.symbol, each.unit) for each in QUANTITIES}
+LABELS = {
+    "t": "$t$ [s]",
+    **{each.name: _with_unit(each.symbol, each.unit) for each in _core.parameters},
+    **{each.name: _with_unit(each.symbol, each.unit) for m in _core.measures for each in m.columns if each.symbol},
+}
 
 
 def new_figure(size: tuple[float, float] | None = None) -> Figure:

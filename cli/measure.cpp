@@ -70,10 +70,13 @@ std::string json_head(const Run& run) {
         const bool is_of_length = i >= parameter_count;
         if (run.sweep.has_length ? parameter.value == &Pendulum::alpha : is_of_length) continue;
         const Range& range = run.sweep.values[i];
-        std::string values = shown(range.first, full);
-        if (range.is_range)
-            values.insert(0, "[").append(",").append(shown(range.last, full)).append(",").append(std::to_string(range.count)) +=
-                ']';
+        if (!range.is_range) {
+            add_number(line, parameter.name, range.first);
+            continue;
+        }
+        std::string values = "[";
+        values.append(shown(range.first, full)).append(",").append(shown(range.last, full)).append(",");
+        values.append(std::to_string(range.count)).append("]");
         add_member(line, parameter.name, values);
     }
     return line + "}\n";

@@ -174,9 +174,6 @@ Solved solve(const Pendulums& p, std::optional<Reals> t, std::optional<Reals> un
     const int threads = threads_given.number();
     Asked asked{std::move(t), std::move(until), std::move(every), std::move(dt)};
     asked.require();
-    if (asked.dt && !takes_steps(method))
-        throw std::invalid_argument("dt does not go with method " + std::string(method_names[static_cast<int>(method)]) +
-                                    ", which takes no steps of a given length");
     const Members alone(p);
     alone.require(check(alone.ensemble()));
     if (asked.t && method == Method::exact) return solve_exactly(p, alone, asked.t->value(), tolerance);

@@ -37,7 +37,7 @@ def solve(
 
     The times [s] are `t`, one axis from 0 or later, evenly spaced (any for `exact`); or from 0 to `until`, one each `every`.
     Left out, they are the program's: 1 and 0.02 of the characteristic time. dt [s], positive: the longest step, 0.0001 of it
-    where left out; taylor chooses its own and exact has none.
+    where left out. taylor chooses its own and exact has none: there a dt has to be legal, and changes nothing.
 
     method: rk4, euler; verlet (no friction); taylor, to `tolerance` in (0, 1); exact, the closed form (no friction or forcing).
     threads: at most so many, from 1 to 256; as many as there are processors where left out.

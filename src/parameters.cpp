@@ -20,9 +20,13 @@ Refusal check(const Pendulum& pendulum) noexcept { return check(pendulum, State{
 Refusal check(const Pendulum& pendulum, State initial) noexcept {
     Pendulum p = pendulum;
     State s = initial;
-    for (const auto& parameter : parameters)
-        if (const auto refusal = check_rule(parameter.name, value_of(parameter, p, s), rule_of(parameter, pendulum)))
-            return refusal;
+    for (const auto& parameter : parameters) {
+        const Rule rule = rule_of(parameter, pendulum);
+        Refusal refusal = check_rule(parameter.name, value_of(parameter, p, s), rule);
+        if (!refusal) continue;
+        if (rule != parameter.rule) refusal.reason = Refusal::Reason::needs_frequency;
+        return refusal;
+    }
     return {};
 }
 

@@ -37,6 +37,9 @@ Words pattern_of(Refusal::Reason reason) {
             break;
         case interval:
             return {"{n} must be {r}, got {v}", "{n} debe ser {r}, y es {v}"};
+        case needs_frequency:
+            return {"a drive or a shaken pivot needs a frequency: {n} must be {r}, got {v}",
+                    "un forzamiento o un pivote agitado necesita una frecuencia: {n} debe ser {r}, y es {v}"};
         case whole:
             return {"{n} must be a whole number from {l} to {m}, got {v}", "{n} debe ser un entero de {l} a {m}, y es {v}"};
         case length:

@@ -183,6 +183,7 @@ struct Refusal {
     enum class Reason {
         none,              ///< the call was not refused
         interval,          ///< `value` of `name` is outside `rule`
+        needs_frequency,   ///< the same, where a drive or a shaken pivot needs a frequency
         whole,             ///< `value` of `name` is not a whole number from `least` to `most`
         length,            ///< `name` has `value` elements, or is null; it needs at least `least`
         not_among,         ///< `name` is not one of the words in `legal`

@@ -60,7 +60,10 @@ def known(given: Given, names: Iterable[str]) -> Given:
     """What was given by name, if all names are known."""
     for name in given:
         if name not in names:
-            raise TypeError(f"{name!r} is no parameter of a pendulum; they are {', '.join(Parameters._fields)}")
+            fields = ", ".join(Parameters._fields)
+            raise TypeError(
+                f"{name!r} is no parameter of a pendulum, nor another argument of this call; parameters are {fields}"
+            )
     return given
 
 

@@ -62,8 +62,9 @@ def exact(theta0: npt.ArrayLike, omega0: npt.ArrayLike, t: npt.ArrayLike, *, alp
     theta0: initial angle θ0 [rad], finite. omega0: initial angular velocity ω0 [rad/s], finite. t: times of either sign [s],
     finite. alpha: stiffness α = g/l [s⁻²], positive. They broadcast; each pendulum is prepared once, whatever the times.
 
-    Returns (theta, omega). theta [rad] is not wrapped: it goes on from θ0 and counts turns. Within 1e-14 rad, and omega [rad/s]
-    within 1e-14 of its maximum, for |t| <= 30 tau; 1e-13 to 1e6 tau (tests/cpp/exact_test.cpp). ValueError with the index for a
-    value outside its interval, TypeError for what is no real number.
+    Returns (theta, omega). theta [rad] is not wrapped: it goes on from θ0 and counts turns. Before whole turns are added it is
+    within 1e-14 rad, and omega [rad/s] within 1e-14 of its maximum, for |t| <= 30 tau; within 1e-13 to 1e6 tau
+    (tests/cpp/exact_test.cpp). The sum with the turns is rounded once: after many turns, `solve` with method="exact" gives angle
+    and turns apart. ValueError with the index for a value outside its interval, TypeError for what is no real number.
     """
     return _core.exact(theta0, omega0, t, alpha)

@@ -229,5 +229,5 @@ def _solved(problem: dict[str, Any], rows: list[list[float]]) -> Solved:
     t, theta, omega, turns = np.array(rows, float).reshape(-1, len(COLUMNS)).T.copy()
     given = {name: float(problem[name]) for name in Parameters._fields if name in problem}
     tolerance = float(problem.get("tolerance", 1e-15))
-    solution = Solution(t, theta, omega, turns, Parameters(**given), problem["method"], float(problem["dt"]), tolerance)
+    solution = Solution(t, theta, omega, turns, Parameters(**given), problem["method"], problem.get("dt"), tolerance)
     return Solved(solution, float(problem["every"]), float(problem["until"]))

@@ -40,7 +40,7 @@ class MeasureArguments(PendulumArguments, total=False):
 
 NAMES = frozenset(Parameters._fields) | MeasureArguments.__annotations__.keys()
 ARGUMENTS = """{parameters}
-    They broadcast; a pendulum's bits depend on its own values only.
+    They broadcast; a pendulum's bits depend on its own values only, but for the labels of attractors.
 
     transient: periods that are left out first, a whole number from 0. periods: that are measured, a whole number from 1; by rk4
     in steps_per_period steps, a whole number from 1 and enough to be stable, or by taylor to `tolerance` in (0, 1).

@@ -57,8 +57,14 @@ def test_json_says_which_equation_was_solved(pendula):
         ),
         (["--beta", "0.1", "--method", "verlet"], "method verlet needs a pendulum without friction"),
         (["--pivot-amplitude", "1", "--drive-frequency", "1", "--method", "exact"], "method exact needs a pendulum without"),
-        (["--drive-amplitude", "1"], "--drive-frequency must be positive and finite, got 0"),
-        (["--pivot-amplitude", "1"], "--drive-frequency must be positive and finite, got 0"),
+        (
+            ["--drive-amplitude", "1"],
+            "a drive or a shaken pivot needs a frequency: --drive-frequency must be positive and finite, got 0",
+        ),
+        (
+            ["--pivot-amplitude", "1"],
+            "a drive or a shaken pivot needs a frequency: --drive-frequency must be positive and finite, got 0",
+        ),
         (["--beta", "-1"], '--beta "-1" must be finite and not negative, got -1'),
         (["--tolerance", "1e-9"], "--tolerance does not go with --method rk4"),
         (["--tolerance", "1", "--method", "taylor"], '--tolerance "1" must be between 0 and 1, both excluded, got 1'),

@@ -116,7 +116,7 @@ def test_a_long_section_goes_on_past_what_memory_is_meant_for(pendula):
     assert text.count("\n") == points + 1
 
 
-FREQUENCY = "--drive-frequency must be positive and finite, got 0"
+FREQUENCY = "a drive or a shaken pivot needs a frequency: --drive-frequency must be positive and finite, got 0"
 
 BAD = [
     (("section", "--drive-amplitude", "1"), FREQUENCY),

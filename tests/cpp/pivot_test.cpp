@@ -302,7 +302,7 @@ TEST(ShakenPivot, IsForcing) {
     const auto of_exact = check(Problem{.pendulum = p, .method = Method::exact, .schedule = {.every = 1, .rows = 2}});
     EXPECT_EQ(of_exact.reason, Refusal::Reason::not_conservative);
     const auto without_frequency = check(Pendulum{.pivot_amplitude = -3});
-    EXPECT_EQ(without_frequency.reason, Refusal::Reason::interval);
+    EXPECT_EQ(without_frequency.reason, Refusal::Reason::needs_frequency);
     EXPECT_STREQ(without_frequency.name, "drive_frequency");
 }
 

@@ -98,7 +98,7 @@ TEST(Refusals, OfEveryParameterOutsideItsInterval) {
 TEST(Refusals, OfADriveOrAShakenPivotWithoutAFrequency) {
     for (const Pendulum& p : {Pendulum{.drive_amplitude = 1}, Pendulum{.pivot_amplitude = -1}}) {
         for (Method method : {Method::rk4, Method::euler, Method::taylor})
-            expect_refused(problem(p, {1, 0}, method), interval, "drive_frequency");
+            expect_refused(problem(p, {1, 0}, method), needs_frequency, "drive_frequency");
         EXPECT_EQ(check(p).rule, Rule::positive);
         EXPECT_EQ(check(p, Strobe{}).rule, Rule::positive);
         EXPECT_TRUE(std::isnan(at(make_taylor(p, {1, 0}), 0).theta));

@@ -108,7 +108,10 @@ def test_the_extension_itself_converts_other_formats():
 def test_a_name_that_is_no_parameter_is_told_with_those_that_are():
     unknown = {"gamma": 1.0}
     for call in (pendula.solve, measure.section, measure.lyapunov, pendula.Parameters):
-        with pytest.raises(TypeError, match=r"^'gamma' is no parameter of a pendulum; they are theta0, omega0, alpha"):
+        with pytest.raises(
+            TypeError,
+            match=r"^'gamma' is no parameter of a pendulum, nor another argument of this call; parameters are theta0, omega0, alpha",
+        ):
             call(0.2, 0.0, **unknown)
 
 
@@ -191,15 +194,21 @@ def test_late_times_that_the_closed_form_is_carried_to_are_right():
             "pendulum at index (1,): method exact needs a pendulum without friction, torque, drive and shaken pivot",
         ),
         ({"method": "verlet", "beta": [0, 0.1]}, "pendulum at index (1,): method verlet needs a pendulum without friction"),
-        ({"drive_amplitude": 1}, "drive_frequency must be positive and finite, got 0"),
-        ({"pivot_amplitude": 1}, "drive_frequency must be positive and finite, got 0"),
+        (
+            {"drive_amplitude": 1},
+            "a drive or a shaken pivot needs a frequency: drive_frequency must be positive and finite, got 0",
+        ),
+        (
+            {"pivot_amplitude": 1},
+            "a drive or a shaken pivot needs a frequency: drive_frequency must be positive and finite, got 0",
+        ),
         (
             {"drive_amplitude": [[0], [1]], "alpha": [1, 2, 3]},
-            "pendulum at index (1, 0): drive_frequency must be positive and finite, got 0",
+            "pendulum at index (1, 0): a drive or a shaken pivot needs a frequency: drive_frequency must be positive and finite, got 0",
         ),
         (
             {"drive_amplitude": [[0], [1]], "drive_frequency": [3, 2, 0]},
-            "drive_frequency must be positive and finite, got 0 at index (2,)",
+            "a drive or a shaken pivot needs a frequency: drive_frequency must be positive and finite, got 0 at index (2,)",
         ),
         ({"tolerance": 1.0}, "tolerance must be between 0 and 1, both excluded, got 1"),
         ({"threads": 0}, "threads must be a whole number from 1 to 256, got 0"),

@@ -39,7 +39,7 @@ def files(tmp_path, program):
 @pytest.mark.parametrize(
     ("name", "arguments", "english", "spanish"),
     [
-        ("check", [], "SALIDA is missing", "falta SALIDA"),
+        ("check", [], "TABLE is missing", "falta TABLE"),
         ("check", ["table"], "--input is missing", "falta --input"),
         ("check", ["a", "b", "--input", "c"], "one file is marked at a time", "se corrige un fichero cada vez"),
         ("check", ["--nonsense"], "unknown option '--nonsense'", "opción desconocida '--nonsense'"),

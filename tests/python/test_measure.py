@@ -76,7 +76,10 @@ def test_labels_are_of_each_pendulum_by_itself():
         ({"method": "exact"}, "method must be one of rk4, taylor"),
         ({"threads": -1}, "threads must be a whole number from 1 to 256, got -1"),
         ({"alpha": [1.0, 0.0]}, r"alpha must be positive and finite, got 0 at index (1,)"),
-        ({"drive_amplitude": 1.0}, "drive_frequency must be positive and finite, got 0"),
+        (
+            {"drive_amplitude": 1.0},
+            "a drive or a shaken pivot needs a frequency: drive_frequency must be positive and finite, got 0",
+        ),
     ],
 )
 def test_what_cannot_be_measured_is_said(given, message):

@@ -42,6 +42,14 @@ def test_a_problem_from_options_becomes_a_picture(plot, tmp_path):
     assert picture.stat().st_size > 10000
 
 
+@pytest.mark.parametrize("method", ["rk4", "euler", "verlet", "taylor", "exact"])
+def test_a_solution_by_any_method_becomes_a_picture(plot, tmp_path, method):
+    picture = tmp_path / "picture.png"
+    done = plot("--theta0", "1", "--every-factor", "0.1", "--method", method, "--output", picture)
+    assert (done.returncode, done.stderr) == (0, "")
+    assert picture.read_bytes().startswith(MAGIC[".png"])
+
+
 def test_an_animation_becomes_a_film(plot, tmp_path):
     film = tmp_path / "film.gif"
     assert plot("--theta0", "1", "--every-factor", "0.2", "--animate", "--dpi", "20", "--output", film).returncode == 0

@@ -12,7 +12,7 @@ from pendula.check._table import UNREADABLE, UnreadableError, opened, read_file
 
 CHECK = Command(
     "pendula check",
-    "SALIDA --input PROBLEM [--json] [--strict]",
+    "TABLE --input PROBLEM [--json] [--strict]",
     (
         "Marks a table that a student's program has printed: compares it with the closed form and with Runge-Kutta, and tells "
         "what mistake explains it. Status: 0 right, 1 wrong, 2 unreadable.",
@@ -20,7 +20,7 @@ CHECK = Command(
         "dice qué error la explica. Estado: 0 bien, 1 mal, 2 ilegible.",
     ),
     (
-        Option("SALIDA", ("file with the tables; - for standard input", "fichero con las tablas; - es la entrada estándar")),
+        Option("TABLE", ("file with the tables; - for standard input", "fichero con las tablas; - es la entrada estándar")),
         Option(
             "--input",
             (
@@ -48,7 +48,7 @@ def _check(given: dict[str, str], words: list[str], lang: str) -> int:
         if word.startswith("-") and word != "-":
             raise RefusedError(BAD_USAGE, TEXTS["unknown option"], word, CHECK.name)
     if not words or "--input" not in given:
-        raise RefusedError(BAD_USAGE, MISSING, "--input" if words else "SALIDA")
+        raise RefusedError(BAD_USAGE, MISSING, "--input" if words else "TABLE")
     if len(words) > 1:
         raise RefusedError(BAD_USAGE, ONE_FILE, words[1])
     try:

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <thread>
 
 #include "cli/commands.hpp"
@@ -54,6 +55,7 @@ struct Run {
     RowStyle row_style = {};
     ProgressLine progress = {};
     std::size_t done = 0, at_hand = 0;  ///< members printed, and being measured
+    std::size_t lost = 0;               ///< members whose motion left the range of doubles, so that results are nan
 };
 
 std::string json_head(const Run& run) {
@@ -155,12 +157,18 @@ void print_block(Run& run) {
         if (run.has_points) strobe.periods = std::min(strobe.periods, static_cast<double>(room));
         const auto results = results_of(run, ensemble, strobe);
         left -= strobe.periods - static_cast<double>(known);
+        const auto& last_printed = results[run.printed.back()];
+        if (std::isnan(last_printed.back())) left = 0;  // a motion that is lost once stays so
         const std::size_t rows = run.has_points ? static_cast<std::size_t>(strobe.periods) : 1;
         for (std::size_t i = 0; i < run.at_hand; ++i) {
             append_rows(run, results, i, known, rows);
             if (left == 0 && run.style.format == Format::text) append(run.writer, lines_behind(run.sweep, run.done + i));
         }
-        if (left == 0) break;
+        if (left == 0) {
+            const auto ends = std::span(last_printed).last(run.at_hand);
+            run.lost += static_cast<std::size_t>(std::ranges::count_if(ends, [](double x) { return std::isnan(x); }));
+            break;
+        }
         strobe.transient = 0;
         ensemble.theta = results[0].back();
         ensemble.omega = results[1].back();
@@ -190,6 +198,11 @@ void measure(const MeasureInfo& info, const Options& options) {
         flush(run.writer);
     }
     close(run.writer);
+    if (run.lost > 0)
+        throw Failure{Status::bad_data,
+                      say({"the motion of {0} of {1} pendulums leaves the range of doubles; their results are nan",
+                           "el movimiento de {0} de {1} péndulos se sale del rango de double; sus resultados son nan"},
+                          {std::to_string(run.lost), std::to_string(run.sweep.size)})};
 }
 
 }  // namespace pendula::cli

@@ -66,6 +66,8 @@ void open(Writer& writer) {
     const bool is_named = !writer.path.empty();
     // Not emptied before it is known to be another file than the one that is read.
     writer.descriptor = is_named ? ::open(writer.path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666) : STDOUT_FILENO;
+    if (writer.descriptor < 0 && is_interrupted())
+        throw Failure{Status::interrupted, {}};  // as it waited for a reader of a pipe
     if (writer.descriptor < 0) fail(writer, errno);
     struct stat output{};
     if (fstat(writer.descriptor, &output) != 0) return;  // write(2) will say why

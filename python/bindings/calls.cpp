@@ -124,7 +124,8 @@ void require_all(const char* name, const Reals& values, Rule rule) {
 }
 
 void warn_of_nan(const char* what, std::span<const double> values, std::size_t rows) {
-    const std::size_t size = rows ? values.size() / rows : 0;
+    if (values.empty()) return;
+    const std::size_t size = values.size() / rows;
     std::size_t first = rows, count = 0;
     for (std::size_t row = 0; row < rows; ++row) {
         bool is_nan = false;

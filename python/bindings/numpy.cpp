@@ -27,7 +27,13 @@ const Numpy& numpy() {
 
 bool is_plain_array(nb::handle given) { return reinterpret_cast<PyObject*>(Py_TYPE(given.ptr())) == numpy().array_type.ptr(); }
 
+/// Whether it is a masked array, or a list or tuple with one in it.
 bool is_masked(nb::handle given) {
+    if (nb::isinstance<nb::list>(given) || nb::isinstance<nb::tuple>(given)) {
+        for (const nb::handle element : given)
+            if (!PyFloat_CheckExact(element.ptr()) && !PyLong_CheckExact(element.ptr()) && is_masked(element)) return true;
+        return false;
+    }
     return nb::isinstance(given, numpy().array_type) &&
            nb::isinstance(given, nb::module_::import_("numpy.ma").attr("MaskedArray"));
 }

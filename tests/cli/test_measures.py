@@ -246,3 +246,19 @@ def test_an_instruction_set_that_is_none_is_bad_usage(pendula, isa):
         done = pendula(*arguments, env={"PENDULA_ISA": isa})
         assert (done.returncode, done.stdout) == (2, b"")
         assert done.stderr.startswith(b"pendula: PENDULA_ISA must be one of")
+
+
+@pytest.mark.parametrize("name", ["section", "mean-velocity", "lyapunov", "attractors"])
+@pytest.mark.parametrize("method", ["rk4", "taylor"])
+def test_a_motion_out_of_range_is_told_and_is_status_1(pendula, name, method):
+    done = pendula(name, "--torque", "0:1e308:2", "--transient", "0", "--periods", "3", "--method", method)
+    assert done.returncode == 1
+    assert b"nan" in done.stdout
+    assert b"the motion of 1 of 2 pendulums leaves the range of doubles" in done.stderr
+
+
+def test_a_long_section_ends_where_its_motion_does(pendula):
+    done = pendula("section", "--torque", "1e308", "--transient", "0", "--periods", "2000000", "--steps", "10")
+    assert done.returncode == 1
+    assert b"the motion of 1 of 1 pendulums" in done.stderr
+    assert len(done.stdout.splitlines()) == 1 + (1 << 20)

@@ -88,6 +88,8 @@ def test_what_is_no_real_number_is_a_type_error_that_names_the_argument(value):
 
 def test_masks_are_refused_and_not_ignored():
     masked = np.ma.array([1.0, 2.0], mask=[False, True])
+    with pytest.raises(TypeError, match=r"^omega0 must be real numbers, got a masked array, whose masks would be ignored"):
+        pendula.analyze(1, [masked, (masked, masked)])
     for call in (lambda: pendula.exact(1, masked, 2), lambda: pendula.solve(1, masked), lambda: measure.section(1, masked)):
         with pytest.raises(TypeError, match=r"^omega0 must be real numbers, got a masked array, whose masks would be ignored$"):
             call()

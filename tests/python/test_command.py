@@ -160,8 +160,11 @@ def test_ctrl_c_ends_it_and_the_program(name, files, tmp_path):
         )
     children = Path(f"/proc/{process.pid}/task/{process.pid}/children")
     deadline = time.monotonic() + 60
-    while not (child := children.read_text().strip()) and time.monotonic() < deadline:
-        time.sleep(0.01)
+    child, exe = "", ""
+    while not exe.endswith("/pendula") and time.monotonic() < deadline:  # started and running, not a fork of the script
+        time.sleep(0.2)
+        child = children.read_text().strip()
+        exe = os.readlink(f"/proc/{child}/exe") if child else ""
     process.send_signal(signal.SIGINT)  # to the script only
     assert process.communicate(timeout=60) == (b"", b"")
     assert process.returncode == 130

@@ -119,3 +119,7 @@ def test_a_driven_pendulum_has_no_closed_form():
     for name in ("sine", "error"):
         with pytest.raises(ValueError, match=f"^{name} needs pendulums without friction and forcing"):
             getattr(solution, name)
+
+
+def test_no_pendulums_have_no_results_at_once():
+    assert pendula.measure.section(np.zeros(0), 0.0, transient=0, periods=2**50, steps_per_period=3).theta.size == 0

@@ -50,6 +50,19 @@ def test_a_solution_by_any_method_becomes_a_picture(plot, tmp_path, method):
     assert picture.read_bytes().startswith(MAGIC[".png"])
 
 
+def test_the_file_of_the_problems_is_never_the_picture(plot, tmp_path):
+    problems = tmp_path / "problems.png"
+    problems.write_text(PROBLEM)
+    (tmp_path / "link.png").symlink_to(problems)
+    for name in (problems, tmp_path / "link.png"):
+        with problems.open() as opened:
+            command = [PROGRAM, "plot", "--output", name]
+            done = subprocess.run(command, stdin=opened, capture_output=True, text=True, env=CLEAN, timeout=300)
+        assert done.returncode == 2
+        assert "standard input" in done.stderr
+        assert problems.read_text() == PROBLEM
+
+
 def test_an_animation_becomes_a_film(plot, tmp_path):
     film = tmp_path / "film.gif"
     assert plot("--theta0", "1", "--every-factor", "0.2", "--animate", "--dpi", "20", "--output", film).returncode == 0

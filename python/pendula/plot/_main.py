@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import math
 import os
+import stat
 import subprocess
 import sys
 from pathlib import Path
@@ -88,6 +89,10 @@ TEXTS: dict[str, Text] = {
         "MP4 needs the program ffmpeg, which is not there; GIF does not",
         "MP4 necesita el programa ffmpeg, que no está; GIF no",
     ),
+    "input": (
+        "{0!r} is what standard input is read from; write to another file",
+        "{0!r} es de donde se lee la entrada estándar; escribe en otro fichero",
+    ),
     "not written": ("{0!r} could not be written: {1}", "no se ha podido escribir {0!r}: {1}"),
 }
 
@@ -105,6 +110,8 @@ def _plot(given: dict[str, str], words: list[str], lang: str) -> int:
         _require_display()
     elif Path(output).suffix.lower() not in suffixes:
         raise RefusedError(BAD_USAGE, TEXTS["suffix"], ", ".join(suffixes), output)
+    elif _is_input(output):
+        raise RefusedError(BAD_USAGE, TEXTS["input"], output)
     _require_matplotlib(has_window=output is None)
     states_problem = any(word.startswith("--") and word.split("=")[0] not in READING_OPTIONS for word in words)
     solved = solve([*words, "--lang", lang], states_problem=states_problem)
@@ -127,6 +134,15 @@ def _plot(given: dict[str, str], words: list[str], lang: str) -> int:
         reason = error.strerror if isinstance(error, OSError) else None
         raise RefusedError(NOT_WRITTEN, TEXTS["not written"], output, reason or error) from error
     return DONE
+
+
+def _is_input(output: str) -> bool:
+    """Whether the file, by whatever name, is what standard input is read from."""
+    try:
+        given, written = os.fstat(0), os.stat(output)
+    except OSError:
+        return False
+    return stat.S_ISREG(given.st_mode) and os.path.samestat(given, written)
 
 
 def _positive(name: str, text: str) -> float:

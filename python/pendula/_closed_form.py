@@ -64,7 +64,7 @@ def exact(theta0: npt.ArrayLike, omega0: npt.ArrayLike, t: npt.ArrayLike, *, alp
 
     Returns (theta, omega). theta [rad] is not wrapped: it goes on from θ0 and counts turns. Before whole turns are added it is
     within 1e-14 rad, and omega [rad/s] within 1e-14 of its maximum, for |t| <= 30 tau; within 1e-13 to 1e6 tau
-    (tests/cpp/exact_test.cpp). The sum with the turns is rounded once: after many turns, `solve` with method="exact" gives angle
-    and turns apart. ValueError with the index for a value outside its interval, TypeError for what is no real number.
+    (tests/cpp/exact_test.cpp). The sum with the turns is rounded once: after many turns, `solve` with method="exact" gives
+    angle and turns apart. ValueError with the index for a value outside its interval, TypeError for what is no real number.
     """
     return _core.exact(theta0, omega0, t, alpha)

@@ -50,7 +50,7 @@ def test_a_solution_by_any_method_becomes_a_picture(plot, tmp_path, method):
     assert picture.read_bytes().startswith(MAGIC[".png"])
 
 
-def test_the_file_of_the_problems_is_never_the_picture(plot, tmp_path):
+def test_the_file_of_the_problems_is_never_the_picture(tmp_path):
     problems = tmp_path / "problems.png"
     problems.write_text(PROBLEM)
     (tmp_path / "link.png").symlink_to(problems)

@@ -139,7 +139,7 @@ def _plot(given: dict[str, str], words: list[str], lang: str) -> int:
 def _is_input(output: str) -> bool:
     """Whether the file, by whatever name, is what standard input is read from."""
     try:
-        given, written = os.fstat(0), os.stat(output)
+        given, written = os.fstat(0), Path(output).stat()
     except OSError:
         return False
     return stat.S_ISREG(given.st_mode) and os.path.samestat(given, written)

@@ -1,4 +1,4 @@
-// Characteristic time and exact samples, beside the assignment's series, Boost and GSL.
+// Benchmarks of the characteristic time and of exact samples, with the series of the assignment, Boost and GSL as peers.
 #include <benchmark/benchmark.h>
 #include <gsl/gsl_sf_elljac.h>
 
@@ -12,7 +12,7 @@ namespace {
 
 using namespace pendula;
 
-constexpr double figure_3_2 = 1.999999895801368;  // [rad/s], from the bottom: 1e-7 short of turning over
+constexpr double figure_3_2 = 1.999999895801368;  // [rad/s], from the bottom: 1e-7 less than needed to turn over
 
 void tau_pendula(benchmark::State& state) {
     double omega = figure_3_2;
@@ -36,7 +36,8 @@ void tau_series(benchmark::State& state) {
 }
 BENCHMARK(tau_series)->Name("tau/series")->Iterations(1);
 
-/// An oscillation from the bottom: sin(theta/2) = k sn(u), cos(theta/2) = dn(u), omega = 2 k sqrt(alpha) cn(u), u = sqrt(alpha) t.
+/// An oscillation from the bottom: sin(theta/2) = k sn(u), cos(theta/2) = dn(u), omega = 2 k sqrt(alpha) cn(u), u = sqrt(alpha)
+/// t.
 struct Orbit {
     double root;  ///< sqrt(alpha)
     double k;
@@ -67,8 +68,8 @@ std::vector<double> times(double omega) {
     return t;
 }
 
-/// The largest error of theta or omega, in units of its maximum where that is less than 1, over the known answers of
-/// oscillations from the bottom with |kappa'| from 1e-12 to 1e-2.
+/// The largest error over the reference solutions of oscillations from the bottom with |kappa'| from 1e-12 to 1e-2: of theta
+/// [rad], or relative to theta_max if that is less than 1, and of omega relative to its maximum.
 template <class Evaluate>
 double error_near_separatrix(Evaluate evaluate) {
     reference::Largest largest;
@@ -88,14 +89,14 @@ double error_near_separatrix(Evaluate evaluate) {
 void samples_pendula(benchmark::State& state, double omega) {
     const auto t = times(omega);
     std::vector<double> theta(count), speed(count), turns(count);
-    const auto orbit = exact(1, {0, omega});
+    const auto orbit = make_exact(1, {0, omega});
     for (auto _ : state) {
         at(orbit, count, t.data(), theta.data(), speed.data(), turns.data());
         benchmark::ClobberMemory();
     }
     state.SetItemsProcessed(state.iterations() * count);
     state.counters["error"] = error_near_separatrix([](const reference::Case& c, double time) {
-        const auto s = at(exact(c.alpha, {0, std::fabs(c.initial.omega)}), time);
+        const auto s = at(make_exact(c.alpha, {0, std::fabs(c.initial.omega)}), time);
         return State{s.theta, s.omega};
     });
 }
@@ -120,7 +121,9 @@ void samples_peer(benchmark::State& state, double omega) {
 
 [[maybe_unused]] const bool is_registered = [] {
     for (const auto& [name, omega] : {std::pair{"samples", 1.0}, std::pair{"samples_near", figure_3_2}}) {
-        const auto add = [omega](const std::string& title, auto* run) { benchmark::RegisterBenchmark(title.c_str(), run, omega); };
+        const auto add = [omega](const std::string& title, auto* run) {
+            benchmark::RegisterBenchmark(title.c_str(), run, omega);
+        };
         add(std::string(name) + "/pendula", samples_pendula);
         add(std::string(name) + "/boost", samples_peer<by_boost>);
         add(std::string(name) + "/gsl", samples_peer<by_gsl>);

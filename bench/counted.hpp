@@ -1,5 +1,5 @@
-// A number that leaves a trace of what is done to it. Kernels are templates, so it is their own text that is counted, and of it
-// what the results depend on: a compiler leaves out the rest.
+// A number type that records the operations on it. The kernels are templates, so that the operations of their own code are
+// counted. Only operations on which the results depend are counted, because a compiler removes the others.
 #pragma once
 
 #include <cmath>
@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "arithmetic/pack.hpp"
+#include "kernels/chunk.hpp"
+#include "pendula/parameters.hpp"
 
 namespace pendula::bench {
 
@@ -49,7 +51,20 @@ struct Counted {
     }
 };
 
-/// The traced operations that results go back to. Numbers are told apart by their size, which choices and signs leave as it is.
+inline kernels::Parameters<Counted> counted_parameters(const Pendulum& p) {
+    return {p.alpha, p.beta, p.torque, p.drive_amplitude, p.pivot_amplitude, p.drive_frequency, p.drive_phase};
+}
+
+/// An ensemble of pendulums released at rest from these angles.
+inline Ensemble ensemble_of(const Pendulum& p, std::span<const double> theta) {
+    Ensemble e{.size = theta.size(), .theta = theta};
+    for (const auto& parameter : parameters)
+        if (parameter.value) e.*parameter.column = p.*parameter.value;
+    return e;
+}
+
+/// The recorded operations on which the results depend. A number is identified by its absolute value, which does not change
+/// when it is selected or its sign changes.
 inline Operations operations_behind(std::initializer_list<Counted> results) {
     std::set<double> needed;
     for (Counted x : results) needed.insert(std::fabs(x.value));

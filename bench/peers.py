@@ -22,7 +22,7 @@ def samples(alpha, omega0, t):
 
 
 def error_near_separatrix():
-    """As in closed_form_bench.cpp: largest error over the known answers of oscillations from the bottom near the separatrix."""
+    """As in closed_form_bench.cpp: the largest error over oscillations from the bottom near the separatrix."""
     largest = 0
     for line in TABLE.read_text().splitlines():
         kind, *words = line.split()
@@ -39,7 +39,7 @@ def error_near_separatrix():
 
 @numba.njit(fastmath=True)
 def rk4(theta, omega, alpha, h, steps):
-    """Members inside, steps outside: several members are under way at once, which is faster than one after another."""
+    """The inner loop is over the members: their operations are independent and overlap, which is faster."""
     for _ in range(steps):
         for i in range(theta.size):
             x, v = theta[i], omega[i]
@@ -56,7 +56,7 @@ def rk4(theta, omega, alpha, h, steps):
 
 @numba.njit(fastmath=True)
 def rk4_driven(theta, omega, alpha, beta, amplitude, frequency, h, steps):
-    """All members share the drive: its cosines are taken once a step."""
+    """All members have the same drive, so that its cosines are computed once for each step."""
     for n in range(steps):
         start = amplitude * cos(frequency * h * n)
         middle = amplitude * cos(frequency * h * (n + 0.5))
@@ -75,7 +75,7 @@ def rk4_driven(theta, omega, alpha, beta, amplitude, frequency, h, steps):
 
 
 def cases():
-    """By name: a call and how many items it does. The first call compiles."""
+    """Yields name, call, and the number of items that a call computes. The first call compiles."""
     members, steps = 256, 2000
     start, still = np.linspace(0.01, 2.5, members), np.zeros(members)
 

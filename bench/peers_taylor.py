@@ -1,4 +1,4 @@
-"""Peer of taylor_bench.cpp: heyoka's integrators, one trajectory and batches of the size that it recommends, at the same tolerance."""
+"""The peer of taylor_bench.cpp: heyoka at the same tolerance, for one trajectory and for batches of the size it recommends."""
 
 import time
 from pathlib import Path
@@ -49,14 +49,14 @@ def ensemble(system):
 
 
 def cases():
-    """By name: a call and how many units of time of one trajectory it does."""
+    """Yields name, call, and the units of time of one trajectory that a call computes."""
     for name, system in SYSTEMS.items():
         yield f"taylor_{name}/heyoka", *one(system)
         yield f"taylor_ensemble_{name}/heyoka", *ensemble(system)
 
 
 def largest_error():
-    """As in taylor_bench.cpp: over the driven pendulums of known solution, up to t = 50."""
+    """As in taylor_bench.cpp: the largest error over the driven pendulums of the reference table, up to t = 50."""
     integrator = heyoka.taylor_adaptive(equation(*(heyoka.par[i] for i in range(6))), [0.0, 0.0], pars=[0.0] * 6, tol=TOLERANCE)
     largest = 0.0
     for line in TABLE.read_text().splitlines():
@@ -76,7 +76,7 @@ def errors():
     return {f"taylor_{kind}{name}/heyoka": error for kind in ("", "ensemble_") for name in SYSTEMS}
 
 
-if __name__ == "__main__":  # on its own: nanoseconds per unit of time and trajectory
+if __name__ == "__main__":  # prints nanoseconds per unit of time of one trajectory
     for case, call, items in cases():
         best = float("inf")
         for _ in range(100):

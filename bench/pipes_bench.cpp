@@ -1,4 +1,4 @@
-// What this processor's pipes can do: independent multiplications and additions in its widest registers, and nothing else.
+// The throughput of this processor: independent multiplications and additions in its widest registers, and nothing else.
 #include <benchmark/benchmark.h>
 
 #include "arithmetic/pack.hpp"
@@ -7,7 +7,8 @@ namespace {
 
 using Register = pendula::arithmetic::Pack<pendula::arithmetic::register_width>;
 
-/// As many chains as hide an operation's latency and still fit in the registers.
+/// The numbers of independent chains are large enough to hide the latency of an operation, and small enough to fit in the
+/// registers.
 template <int products, int sums>
 void pipes(benchmark::State& state) {
     constexpr int rounds = 1000;

@@ -1,4 +1,4 @@
-"""Whole processes: the program beside the plain student's, on the problems of the assignment."""
+"""Times of whole processes: pendula, and the program of a student (student.cpp), on the problems of the assignment."""
 
 import os
 import time
@@ -9,7 +9,7 @@ FIGURES = ("3.1", "3.2", "3.3", "3.4")
 
 
 def run(program, data):
-    """Seconds from the start of a process to its end."""
+    """The time [s] from the start of a process to its end."""
     null = (os.POSIX_SPAWN_OPEN, 1, os.devnull, os.O_WRONLY, 0)
     given = (os.POSIX_SPAWN_OPEN, 0, data, os.O_RDONLY, 0)
     start = time.perf_counter()
@@ -22,7 +22,7 @@ def run(program, data):
 
 
 def cases(build):
-    """By name: a call that takes the time of one process itself."""
+    """Yields a name and a call that runs one process and returns its time."""
     lines = [line for line in EXAMPLES.read_text().splitlines() if line and not line.startswith("#")]
     for figure, line in zip(FIGURES, lines, strict=True):
         data = build / f"figure_{figure}.txt"

@@ -1,4 +1,4 @@
-"""The Python package beside what people use instead: numpy's ufuncs, SciPy, Numba and heyoka."""
+"""Benchmarks of the Python package, with NumPy's ufuncs, SciPy, Numba and heyoka as peers."""
 
 import heyoka
 import numba
@@ -10,7 +10,7 @@ from scipy.integrate import solve_ivp
 
 VERSIONS = {"SciPy": scipy.__version__, "Numba": numba.__version__, "NumPy": np.__version__, "heyoka.py": heyoka.__version__}
 
-START, SPEED = 0.0, 1.0  # from the bottom, as `samples` has it
+START, SPEED = 0.0, 1.0  # from the bottom, as in `samples`
 TAU = float(pendula.analyze(START, SPEED).tau)
 MANY = np.linspace(0, 30 * TAU, 1_000_000)
 ROWS = np.linspace(0, 10 * TAU, 501)
@@ -23,7 +23,7 @@ def right_side(_, state):
 
 
 def by_heyoka():
-    """As long as the compiled integrator lives it is taken from its start anew."""
+    """The integrator is compiled once; each call sets it to the initial state."""
     theta, omega = heyoka.make_vars("theta", "omega")
     integrator = heyoka.taylor_adaptive([(theta, omega), (omega, -heyoka.sin(theta))], [START, SPEED], tol=1e-15)
 
@@ -44,7 +44,7 @@ def by_taylor():
 
 
 def cases():
-    """By name: a call and how many items it does. The first call compiles."""
+    """Yields name, call, and the number of items that a call computes. The first call compiles."""
     steps = len(MEMBERS) * STEPS
     still = np.zeros_like(MEMBERS)
     yield "python_call/pendula", lambda: pendula.exact(1.0, 0.5, 2.0), 1
@@ -60,7 +60,7 @@ def cases():
 
 
 def errors():
-    """Largest of the angle [rad] against the closed form."""
+    """The largest error of the angle [rad], compared with the closed form."""
     exact = pendula.exact(START, SPEED, ROWS)[0]
     solvers = {"pendula": by_taylor, "scipy": by_solve_ivp, "heyoka": by_heyoka()}
     return {f"python_solve/{name}": float(np.abs(call() - exact).max()) for name, call in solvers.items()}

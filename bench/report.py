@@ -1,10 +1,10 @@
-"""Runs every case beside its peers, in rounds, and writes docs/benchmarks.md.
+"""Runs every case and its peers, in rounds, and writes docs/benchmarks.md.
 
     python bench/report.py BUILD OUT [--rounds N]
 
-A round runs each case once: pendula_bench, which holds pendula's cases and the peers in C++, then the peers in Python, then whole
-programs. What is reported is the least of all rounds, in processor time (wall time for programs and threads).
-Modules of peers give `cases()`: name "case/peer", a call, and how many items it does.
+A round runs each case once: first pendula_bench, with the cases of pendula and the peers in C++, then the peers in Python, then
+whole programs. The result is the smallest time of all rounds: processor time, or wall time for programs and threads.
+A module of peers has `cases()`, which yields a name "case/peer", a call, and the number of items that a call computes.
 """
 
 import argparse
@@ -24,7 +24,7 @@ PEERS = ("peers", "peers_taylor", "python_bench")
 
 
 def importable(names):
-    """Modules of peers that are there, with all that they need."""
+    """Yields the modules of peers that can be imported."""
     for name in names:
         try:
             yield importlib.import_module(name)
@@ -33,9 +33,13 @@ def importable(names):
 
 
 def native_round(build, least, facts):
-    """One pass over pendula_bench: nanoseconds per item, and what else its cases state."""
-    done = subprocess.run([build / "bench/pendula_bench", "--benchmark_format=json", f"--benchmark_min_time={least}"],
-                          check=True, capture_output=True, text=True)
+    """Runs pendula_bench once: yields nanoseconds per item, and stores the other values that its cases report in `facts`."""
+    done = subprocess.run(
+        [build / "bench/pendula_bench", "--benchmark_format=json", f"--benchmark_min_time={least}"],
+        check=True,
+        capture_output=True,
+        text=True,
+    )
     report = json.loads(done.stdout)
     facts["context"] = report["context"]
     for case in report["benchmarks"]:
@@ -45,7 +49,7 @@ def native_round(build, least, facts):
 
 
 def python_round(cases, least):
-    """As often as fills `least` seconds; the least of them."""
+    """Runs each case repeatedly for `least` seconds, and yields the smallest time per item."""
     for name, call, items in cases:
         start, best = time.thread_time(), float("inf")
         while best == float("inf") or time.thread_time() - start < least:
@@ -57,7 +61,7 @@ def python_round(cases, least):
 
 def program_round(cases, repetitions):
     for name, call in cases:
-        often = 1 if name == "program_3.2/student" else repetitions  # it takes its time
+        often = 1 if name == "program_3.2/student" else repetitions  # takes seconds
         yield name, 1e9 * min(call() for _ in range(often))
 
 
@@ -68,10 +72,14 @@ def measure(build, rounds, least):
     for _, call, _ in cases:
         call()  # compiles
     whole = list(programs.cases(build))
-    best = {}
+    best: dict[str, float] = {}
     for number in range(rounds):
         print(f"round {number + 1} of {rounds}", flush=True)
-        for results in (native_round(build, least, facts), python_round(cases, least), program_round(whole, 10 if least else 1)):
+        for results in (
+            native_round(build, least, facts),
+            python_round(cases, least),
+            program_round(whole, 10 if least else 1),
+        ):
             for name, value in results:
                 best[name] = min(value, best.get(name, value))
     for module in modules:
@@ -82,21 +90,32 @@ def measure(build, rounds, least):
 
 def processor():
     info = Path("/proc/cpuinfo")
-    names = [line.split(":")[1].strip() for line in info.read_text().splitlines() if line.startswith("model name")] if info.exists() else []
+    names = (
+        [line.split(":")[1].strip() for line in info.read_text().splitlines() if line.startswith("model name")]
+        if info.exists()
+        else []
+    )
     return f"{len(names)} × {names[0]}" if names else platform.processor()
 
 
 def page(best, facts, rounds):
     context = facts["context"]
-    versions = {name: context[name] for name in ("pendula", "Compiler", "Boost", "GSL")} | {"Python": platform.python_version()} | facts["versions"]
+    versions = (
+        {name: context[name] for name in ("pendula", "Compiler", "Boost", "GSL")}
+        | {"Python": platform.python_version()}
+        | facts["versions"]
+    )
     lines = [
-        "# Benchmarks", "",
+        "# Benchmarks",
+        "",
         "Made by `make bench`; do not edit. Ratios are what matters: how many times longer the peer takes. "
         f"Least of {rounds} rounds, in each of which every case and every peer runs once; processor time, wall time for programs and threads. "
         "C++ peers are compiled with `-O3 -march=native`; pendula is not, and chooses its kernels at run time, here "
-        f"{context['kernels']}.", "",
+        f"{context['kernels']}.",
+        "",
         f"{processor()}, {platform.system()} {platform.machine()}, {datetime.date.today()}. "
-        + ", ".join(f"{name} {version}" for name, version in versions.items()) + ".",
+        + ", ".join(f"{name} {version}" for name, version in versions.items())
+        + ".",
     ]
     for table in TABLES:
         lines += ["", *ratio_table(table, best, facts)]

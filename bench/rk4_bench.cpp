@@ -1,4 +1,5 @@
-// Runge-Kutta's method, one trajectory and ensembles, beside the assignment's formulas written plainly and Boost.Odeint.
+// Benchmarks of the Runge-Kutta method, for one trajectory and for ensembles, with the formulas of the assignment and
+// Boost.Odeint as peers.
 #include <benchmark/benchmark.h>
 
 #include <array>
@@ -19,7 +20,7 @@ constexpr int steps = 2000;
 constexpr std::size_t members = 256;
 constexpr double released = 2;  // [rad]
 
-/// What swings, and how long its steps are [s].
+/// A pendulum and the length of its steps [s].
 struct Run {
     const char* name;
     Pendulum pendulum;
@@ -27,13 +28,13 @@ struct Run {
 };
 
 constexpr Pendulum driven{.alpha = 1, .beta = 0.5, .drive_amplitude = 1.15, .drive_frequency = 2.0 / 3};
-constexpr Run runs[] = {{"fine", {}, 7.4e-4},  // the assignment's: 10,000 a period
+constexpr Run runs[] = {{"fine", {}, 7.4e-4},  // the step of the assignment: 10,000 steps in a period
                         {"middle", {}, 0.008},
-                        {"coarse", {}, 0.07},  // 100 a period
+                        {"coarse", {}, 0.07},  // 100 steps in a period
                         {"driven", driven, 0.003},
                         {"driven_coarse", driven, 0.07}};
 
-/// n pendulums as Boost.Odeint's users write them: angles, then velocities; the drive is theirs together.
+/// n pendulums in the usual form for Boost.Odeint: first the angles, then the velocities. All have the same drive.
 template <std::size_t n>
 struct Pendulums {
     using Point = std::array<double, 2 * n>;
@@ -42,7 +43,8 @@ struct Pendulums {
     Pendulum p;
 
     void operator()(const Point& x, Point& dx, double t) const {
-        const double force = p.torque + (p.drive_amplitude == 0 ? 0 : p.drive_amplitude * std::cos(p.drive_frequency * t + p.drive_phase));
+        const double force =
+            p.torque + (p.drive_amplitude == 0 ? 0 : p.drive_amplitude * std::cos(p.drive_frequency * t + p.drive_phase));
         for (std::size_t i = 0; i < n; ++i) {
             dx[i] = x[n + i];
             dx[n + i] = force - p.alpha * std::sin(x[i]) - p.beta * x[n + i];
@@ -75,11 +77,10 @@ void formulas(benchmark::State& state, const Run& run) {
     state.SetItemsProcessed(state.iterations() * steps);
 }
 
-/// What a step needs at least: its share of a block's multiplications and additions.
+/// The multiplications and additions that a step needs: those of a block divided by its number of steps.
 void count_operations(benchmark::State& state, const Run& run) {
     using bench::Counted;
-    const Pendulum& p = run.pendulum;
-    const auto k = kernels::rk4_constants<Counted>(p.alpha, p.beta, p.torque, p.drive_amplitude, p.drive_frequency, p.drive_phase, run.h);
+    const auto k = kernels::rk4_constants(bench::counted_parameters(run.pendulum), Counted(run.h));
     kernels::Motion<Counted> x{released, 0, 0, 0, 0};
     kernels::Tangent<Counted> none{};
     Counted::trace.clear();
@@ -91,11 +92,12 @@ void count_operations(benchmark::State& state, const Run& run) {
 
 void one(benchmark::State& state, const Run& run) {
     const double span = steps * run.h;
-    const Problem problem{.pendulum = run.pendulum, .initial = {released, 0}, .schedule = {span, 2, steps, run.h}};
+    const Problem problem{
+        .pendulum = run.pendulum, .initial = {released, 0}, .schedule = {.every = span, .rows = 2, .steps_per_row = steps}};
     Sample rows[2];
     for (auto _ : state) {
         auto trajectory = begin(problem);
-        advance(trajectory, 2, rows, steps);
+        if (advance(trajectory, rows, steps) != 2) state.SkipWithError("rows are missing");
         benchmark::DoNotOptimize(rows);
     }
     state.SetItemsProcessed(state.iterations() * steps);
@@ -105,13 +107,11 @@ void one(benchmark::State& state, const Run& run) {
 void ensemble(benchmark::State& state, const Run& run, std::size_t n, int threads) {
     std::vector<double> theta(n), end(n), speed(n), turns(n);
     for (std::size_t i = 0; i < n; ++i) theta[i] = angle(i % members);
-    const auto all = [](const double& x) { return std::span(&x, 1); };
-    const Pendulum& p = run.pendulum;
-    const double still = 0, span = steps * run.h;
-    const Ensemble e{n, theta, all(still), all(p.alpha), all(p.beta), all(p.torque), all(p.drive_amplitude), all(p.drive_frequency), all(p.drive_phase)};
-    const EnsembleTimes times{.first = all(span), .every = all(span), .rows = 1, .steps_per_row = steps};
+    const Ensemble e = bench::ensemble_of(run.pendulum, theta);
+    const EnsembleTimes times{.first = steps * run.h, .rows = 1, .steps_to_first = steps};
     for (auto _ : state) {
-        solve(e, Method::rk4, 0, times, {.threads = threads}, {end.data(), speed.data(), turns.data()});
+        const auto outcome = solve(e, Method::rk4, 1e-15, times, {end, speed, turns}, {.threads = threads});
+        if (!outcome.is_done()) state.SkipWithError("not solved");
         benchmark::ClobberMemory();
     }
     state.SetItemsProcessed(state.iterations() * steps * static_cast<std::int64_t>(n));

@@ -1,5 +1,5 @@
-// La actividad 3 como la escribiría una buena estudiante: las fórmulas del enunciado, tal cual, con <cmath>. Sirve de vara de
-// medir, y no usa nada de pendula.
+// La actividad 3 como la escribiría una buena estudiante: las fórmulas del enunciado, sin cambios, con <cmath>. Sirve de
+// referencia para comparar tiempos y no usa nada de pendula.
 #pragma once
 
 #include <cmath>
@@ -22,7 +22,7 @@ inline double fase(double s, double r) {
 /// (3.3)
 inline double normaliza(double theta) { return theta - 2 * PI * std::floor((theta + PI) / (2 * PI)); }
 
-/// (3.6), (3.7), hasta el término que pide (3.9).
+/// La serie (3.6), (3.7), con el número de términos de (3.9).
 inline double periodo(double T0, double r, double epsilon) {
     if (r == 0) return T0;
     const double N = std::log(epsilon * (1 - r * r)) / (2 * std::log(r));

@@ -1,7 +1,8 @@
-// Taylor's method at a tolerance of 1e-15, one trajectory and ensembles; its peer, heyoka, is in peers_taylor.py. An item is a
-// unit of time of one trajectory.
+// Benchmarks of Taylor's method at a tolerance of 1e-15, for one trajectory and for ensembles. The peer, heyoka, is in
+// peers_taylor.py. An item is a unit of time of one trajectory.
 #include <benchmark/benchmark.h>
 
+#include <bit>
 #include <string>
 #include <vector>
 
@@ -25,44 +26,37 @@ struct Run {
 constexpr Run runs[] = {{"undamped", {}},
                         {"driven", {.alpha = 1, .beta = 0.5, .drive_amplitude = 1.15, .drive_frequency = 2.0 / 3}}};
 
-/// What a unit of time needs at least: a step's multiplications and additions over its length.
+/// The multiplications and additions that a unit of time needs: those of a step divided by its length.
 void count_operations(benchmark::State& state, const Run& run) {
     using bench::Counted;
-    const Pendulum& p = run.pendulum;
-    const auto d = kernels::taylor_pendulum(p.alpha, p.beta, p.torque, p.drive_amplitude, p.drive_frequency, p.drive_phase);
-    const kernels::TaylorPendulum<Counted> k{d.alpha,
-                                             d.beta,
-                                             d.torque,
-                                             d.drive_amplitude,
-                                             d.drive_frequency,
-                                             {d.turn_rate.hi, d.turn_rate.lo},
-                                             {d.turn_start.hi, d.turn_start.lo},
-                                             d.rate};
-    const auto reach = kernels::taylor_reach(tolerance);
+    const auto d = kernels::taylor_pendulum(std::bit_cast<kernels::Parameters<double>>(run.pendulum));
+    const kernels::TaylorPendulum<Counted> k{
+        bench::counted_parameters(run.pendulum), {d.turn_rate.hi, d.turn_rate.lo}, {d.turn_start.hi, d.turn_start.lo}, d.rate};
+    const auto control = kernels::step_control(tolerance);
     kernels::TaylorStep<Counted> step{};
     kernels::Series<Counted> cosine{};
     step.start.theta = released;
     step.start.omega = 0.3;
-    step.t.hi = 7.7;
+    step.t = 7.7;
     Counted::trace.clear();
-    expand(k, reach, step, cosine);
-    go_to_end(step);
+    expand(k, control, step, cosine);
+    move_to_end(step);
     const auto done = bench::operations_behind({step.start.theta, step.start.omega, step.start.theta_lo, step.start.omega_lo});
-    // The mean length, of a whole run.
-    auto trajectory = taylor(p, {released, 0}, tolerance);
+    // The length of a step is the mean over a whole run.
+    auto trajectory = make_taylor(run.pendulum, {released, 0}, tolerance);
     double steps = 0;
     for (; !reaches(trajectory, span); ++steps) pendula::step(trajectory);
     state.counters["multiplications"] = done.multiplications * steps / span;
     state.counters["additions"] = done.additions * steps / span;
 }
 
-/// The largest error over the driven pendulums of known solution, up to t = 50.
+/// The largest error over the driven pendulums of the reference table, up to t = 50.
 double largest_error() {
     reference::Largest largest;
     Taylor run;
     for (const auto& r : reference::table("driven.txt")) {
         if (r.words[0] == "problem") {
-            run = taylor({r[0], r[1], r[2], r[3], r[4], r[5]}, {r[6], r[7]}, tolerance);
+            run = make_taylor({r[0], r[1], r[2], r[3], 0, r[4], r[5]}, {r[6], r[7]}, tolerance);
             continue;
         }
         while (!reaches(run, r[0])) step(run);
@@ -75,7 +69,7 @@ double largest_error() {
 
 void one(benchmark::State& state, const Run& run) {
     for (auto _ : state) {
-        auto trajectory = taylor(run.pendulum, {released, 0}, tolerance);
+        auto trajectory = make_taylor(run.pendulum, {released, 0}, tolerance);
         while (!reaches(trajectory, span)) step(trajectory);
         benchmark::DoNotOptimize(at(trajectory, span));
     }
@@ -86,21 +80,11 @@ void one(benchmark::State& state, const Run& run) {
 void ensemble(benchmark::State& state, const Run& run) {
     std::vector<double> theta(members), end(members), speed(members), turns(members);
     for (std::size_t i = 0; i < members; ++i) theta[i] = released + static_cast<double>(i) / members;
-    const auto all = [](const double& x) { return std::span(&x, 1); };
-    const Pendulum& p = run.pendulum;
-    const double still = 0;
-    const Ensemble e{members,
-                     theta,
-                     all(still),
-                     all(p.alpha),
-                     all(p.beta),
-                     all(p.torque),
-                     all(p.drive_amplitude),
-                     all(p.drive_frequency),
-                     all(p.drive_phase)};
-    const EnsembleTimes times{.first = all(span), .every = all(span), .rows = 1};
+    const Ensemble e = bench::ensemble_of(run.pendulum, theta);
+    const EnsembleTimes times{.first = span, .rows = 1};
     for (auto _ : state) {
-        solve(e, Method::taylor, tolerance, times, {.threads = 1}, {end.data(), speed.data(), turns.data()});
+        const auto outcome = solve(e, Method::taylor, tolerance, times, {end, speed, turns}, {.threads = 1});
+        if (!outcome.is_done()) state.SkipWithError("not solved");
         benchmark::ClobberMemory();
     }
     state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(span) * static_cast<std::int64_t>(members));

@@ -2,67 +2,120 @@
 
 #include "cli/commands.hpp"
 #include "cli/reading.hpp"
+#include "cli/sweep.hpp"
 #include "cli/terminal.hpp"
+#include "cli/writing.hpp"
 
 namespace pendula::cli {
 
 namespace {
 
-/// Says how many terms the series needs before it sums them; refuses more than the library sums.
-Analysis analyze_by(double epsilon, const Pendulum& pendulum, State initial, std::string_view place) {
-    if (epsilon == 0) return analyze(pendulum.alpha, initial);
-    const double terms = series_terms(pendulum.alpha, initial, epsilon);
-    if (terms > series_terms_limit)
-        throw Failure{
-            Status::bad_data,
-            std::string(place) + say({"the series needs {0} terms, more than {1}; ask for a larger --epsilon, or leave "
-                                      "--method series out",
-                                      "la serie necesita {0} términos, más de {1}; pide un --epsilon mayor, o quita "
-                                      "--method series"},
-                                     {shown(terms), shown(series_terms_limit)})};
-    tell(std::string(place) + say({"the series needs {0} terms", "la serie necesita {0} términos"}, {shown(terms)}));
-    return analyze_by_series(pendulum.alpha, initial, epsilon);
+/// How analyses are computed and printed.
+struct Analyzer {
+    double epsilon;  ///< of the series; 0 for the arithmetic-geometric mean
+    Style style;
+    Writer writer;
+};
+
+double read_epsilon(const Options& options) {
+    constexpr const char* words[] = {"agm", "series"};
+    if (choice(options, "--method", words) == 1) return number_of(options, "--epsilon", Rule::fraction, 1e-7);
+    if (is_given(options, "--epsilon"))
+        throw bad_usage({"{0} does not go with --method {1}", "{0} no va con --method {1}"}, {"--epsilon", "agm"});
+    return 0;
 }
 
-void begin_output(Writer& writer, const Layout& chosen) {
-    const bool is_first = writer.descriptor < 0;
-    open(writer);
-    if (is_first && chosen.format == Format::csv) put(writer, "k,thetaM,tau\n");
+/// Says how many terms the series needs before they are summed.
+Analysis analyze_one(Analyzer& analyzer, const Pendulum& pendulum, State initial, const Source& source, Proceed proceed) {
+    if (analyzer.epsilon == 0) return analyze(pendulum.alpha, initial);
+    const double terms = series_terms(pendulum.alpha, initial, analyzer.epsilon);
+    if (terms <= series_terms_limit)
+        tell(source.place + say({"the series needs {0} terms", "la serie necesita {0} términos"}, {shown(terms)}));
+    Analysis analysis;
+    const auto outcome = analyze_by_series(pendulum.alpha, initial, analyzer.epsilon, analysis, {.proceed = proceed});
+    if (outcome.kind == Outcome::Kind::stopped) {
+        if (analyzer.writer.descriptor >= 0) flush(analyzer.writer);
+        throw Failure{Status::interrupted, {}};
+    }
+    if (outcome.refusal)
+        refuse(source, say(outcome.refusal, "") + say({"; ask for a larger --epsilon, or leave --method series out",
+                                                       "; pide un --epsilon mayor, o quita --method series"}));
+    return analysis;
 }
 
-void put_analysis(Writer& writer, const Analysis& analysis, const Layout& chosen) {
-    const RowStyle style = row_style({"k", "thetaM", "tau"}, chosen.format, chosen.precision);
+/// The columns of analyses behind those of the ranges.
+std::vector<std::string_view> columns_behind(std::vector<std::string_view> names) {
+    names.insert(names.end(), {"k", "thetaM", "tau"});
+    return names;
+}
+
+/// Opens the output, the first time, once there is something to be written.
+void open_output(Analyzer& analyzer, const std::vector<std::string_view>& names) {
+    if (analyzer.writer.descriptor >= 0) return;
+    open(analyzer.writer);
+    if (analyzer.style.format == Format::csv) append(analyzer.writer, header_line(names, Format::csv));
+}
+
+/// The three fields of an analysis behind those of the ranges.
+char* put_analysis(char* at, const RowStyle& style, const Analysis& analysis) {
+    const std::size_t field = style.leads.size() - 3;
     const int k = static_cast<int>(analysis.regime);
-    char row[256];
-    char* end = put_field(row, style, 0, k);
-    if (chosen.format == Format::json) end = put_text(end, ",\"regime\":\"" + std::string(regime_names[k + 1]) + '"');
-    end = put_field(end, style, 1, analysis.theta_max);
-    end = put_field(end, style, 2, analysis.tau);
-    put(writer, {row, static_cast<std::size_t>(put_text(end, style.end) - row)});
+    at = put_field(at, style, field, k);
+    if (style.is_json) at = put_text(at, ",\"regime\":" + json_string(regime_names[k + 1]));
+    at = put_field(at, style, field + 1, analysis.theta_max);
+    return put_text(put_field(at, style, field + 2, analysis.tau), style.end);
+}
+
+void analyze_sweep(Analyzer& analyzer, const Sweep& sweep) {
+    constexpr std::size_t row_room = (swept_count + 4) * field_room;
+    require_each(sweep, [](const Pendulum& pendulum) { return check(pendulum); });
+    const auto names = columns_behind(swept_names(sweep));
+    const RowStyle style = row_style(names, analyzer.style);
+    std::size_t member = 0;
+    ProgressLine progress;
+    const auto proceed = [&](double fraction) {
+        return show_and_go_on(progress, (static_cast<double>(member) + fraction) / static_cast<double>(sweep.size));
+    };
+    for (; member < sweep.size; ++member) {
+        const Analysis analysis =
+            analyze_one(analyzer, pendulum_of(sweep, member), initial_state_of(sweep, member), {}, proceed);
+        open_output(analyzer, names);
+        char* const at = room(analyzer.writer, row_room);
+        commit(analyzer.writer, put_analysis(put_swept(at, style, sweep, member), style, analysis));
+        if (analyzer.style.format == Format::text) append(analyzer.writer, lines_behind(sweep, member));
+        if (is_interrupted()) flush(analyzer.writer);
+    }
 }
 
 /// A bad line's message in its place.
-void put_error(Writer& writer, const std::string& message, Format format) {
-    put(writer, format == Format::json ? "{\"error\":" + json_string(message) + "}\n" : "ERROR: " + message + '\n');
+void append_error(Analyzer& analyzer, const std::string& message) {
+    append(analyzer.writer,
+           analyzer.style.format == Format::json ? "{\"error\":" + json_string(message) + "}\n" : "ERROR: " + message + '\n');
 }
 
-Status analyze_input(Writer& writer, const Layout& chosen, double epsilon) {
+Status analyze_lines(Analyzer& analyzer) {
     if (isatty(STDIN_FILENO))
         tell(say({"type lines θ0 r|s ω0 r|s α, as 90 s 0 r 1 (r: radians, s: degrees), and end with Ctrl-D",
                   "escribe líneas θ0 r|s ω0 r|s α, como 90 s 0 r 1 (r: radianes, s: grados), y termina con Ctrl-D"}));
+    const auto names = columns_behind({});
+    const RowStyle style = row_style(names, analyzer.style);
     Status status = Status::done;
     Tokens tokens;
     while (const auto line = read_line(tokens)) {
-        begin_output(writer, chosen);
+        open_output(analyzer, names);
+        const Source source{Status::bad_data, line->place};
+        ProgressLine progress;
+        const auto proceed = [&progress](double fraction) { return show_and_go_on(progress, fraction); };
         try {
-            if (!line->wrong.empty()) throw Failure{Status::bad_data, line->place + line->wrong};
-            put_analysis(writer, analyze_by(epsilon, line->pendulum, line->initial, line->place), chosen);
+            if (!line->wrong.empty()) refuse(source, line->wrong);
+            const Analysis analysis = analyze_one(analyzer, line->pendulum, line->initial, source, proceed);
+            commit(analyzer.writer, put_analysis(room(analyzer.writer, 4 * field_room), style, analysis));
         } catch (const Failure& failure) {
             if (failure.status != Status::bad_data) throw;
-            put_error(writer, failure.message, chosen.format);
+            append_error(analyzer, failure.message);
             status = Status::bad_data;
         }
-        if (is_interrupted() || !has_line(tokens)) flush(writer);
+        if (is_interrupted() || !has_line(tokens)) flush(analyzer.writer);
     }
     return status;
 }
@@ -70,18 +123,16 @@ Status analyze_input(Writer& writer, const Layout& chosen, double epsilon) {
 }  // namespace
 
 Status analyze(const Options& options) {
-    const Layout chosen = layout(options);
-    const double epsilon = series_epsilon(options);
-    Writer writer{.path = output_path(options)};
+    Analyzer analyzer{.epsilon = read_epsilon(options), .style = style_of(options), .writer = {.path = output_path(options)}};
     Status status = Status::done;
-    if (states_pendulum(options)) {
-        const Analysis analysis = analyze_by(epsilon, pendulum(options), initial_state(options), "");
-        begin_output(writer, chosen);
-        put_analysis(writer, analysis, chosen);
+    const Sweep sweep = read_sweep(options);
+    if (sweep.is_given) {
+        require_theta0(options);
+        analyze_sweep(analyzer, sweep);
     } else {
-        status = analyze_input(writer, chosen, epsilon);
+        status = analyze_lines(analyzer);
     }
-    close(writer);
+    close(analyzer.writer);
     return status;
 }
 

@@ -1,22 +1,22 @@
-// The manual page, in both languages.
+// The manual page, in both languages. What it says of parameters and measures comes from their tables.
+#include <algorithm>
+
 #include "cli/commands.hpp"
+#include "cli/table.hpp"
 
 namespace pendula::cli {
 
 namespace {
 
-constexpr Text page{
+constexpr Words page{
     R"(pendula - the pendulum, exactly and step by step:
-          theta'' = -alpha sin(theta) - beta theta' + N + A cos(W t + P)
+  θ'' = -(α + P cos(Ω t + φ)) sin θ - β θ' + μ + Γ cos(Ω t + φ)
 
 USAGE
   pendula [OPTIONS] < problems        solve problems from standard input
   pendula solve --theta0 ANGLE ...    solve one problem given by options
   pendula analyze [OPTIONS]           regime, limit angle, characteristic time
-  pendula section [OPTIONS]           states once a period of the drive
-  pendula velocity [OPTIONS]          mean angular velocity
-  pendula lyapunov [OPTIONS]          largest Lyapunov exponent
-  pendula NAME ...                    run pendula-NAME, beside pendula or on PATH
+{0}  pendula NAME ...                    run pendula-NAME, beside pendula or on PATH
 
 PROBLEMS ON STANDARD INPUT
   Eight values in any white space; # starts a comment to the end of the line:
@@ -33,97 +33,46 @@ PROBLEMS ON STANDARD INPUT
   the pendulum oscillates, the sinusoid of the same amplitude and period. Two
   blank lines separate tables. The first bad problem ends the program.
 
-OPTIONS OF solve
-  --theta0 ANGLE        initial angle: 1.5 (radians) or 90deg; has to be given
-  --omega0 VELOCITY     initial angular velocity: 0.2 or 10deg/s    [0]
-  --alpha A             stiffness g/l, 1/s²                         [1]
-  --gravity G --length L    the same as --alpha G/L
-  --beta B --torque N   friction, 1/s, and constant torque, 1/s²    [0, 0]
-  --drive-amplitude A --drive-frequency W --drive-phase P             [0, 0, 0]
-                        adds A cos(W t + P), 1/s²; P: 1.5 or 90deg
-                        With any of these, τ is the period of the drive or, where
-                        there is none, 2π/√α.
-  --dt-factor F         longest step, as a factor of τ              [0.0001]
-  --dt S                the same in seconds
-  --every-factor F      time between rows, as a factor of τ         [0.02]
-  --every S             the same in seconds
-  --until-factor F      length of the run, as a factor of τ         [1]
-  --until S             the same in seconds
-
-OPTIONS OF solve AND OF PROBLEMS ON STANDARD INPUT
-  --method M            rk4, euler, verlet, taylor, or exact: the closed form [rk4]
-                        exact has no friction or forcing, verlet no friction;
-                        taylor chooses its own steps from
-  --tolerance E         the relative error of a step of taylor       [1e-15]
-  --columns LIST        of these, with commas between [t,theta,omega and sine]:
-                          t       time, s
-                          theta   angle in [-π, π), rad
-                          omega   angular velocity, rad/s
-                          sine    the sinusoid; nan where it does not oscillate
-                          exact   angle of the closed form
-                          error   theta less exact, in [-π, π)
-                          energy  ω²/2 + α(1 - cos θ), 1/s²
-                          turns   whole turns: θ + 2π turns counts them all
-
-OPTIONS OF EVERY COMMAND
-  --format F            text, csv, or json: an object a line, each problem's own
-                        before its rows                              [text]
-  --precision N         significant digits from 1 to 17, or full: the shortest
-                        that read back to the same double            [6]
-  --output FILE         write to FILE; untouched if the first problem is bad
-  --lang L              messages in en or es  [from LC_ALL, LC_MESSAGES or LANG]
-  -h, --help            this page
-  --version             the version
-
-pendula analyze
-  Takes --theta0, --omega0 and --alpha as solve does; or lines "θ0 unit ω0 unit α"
-  on standard input. Prints "k thetaM tau" for each: k is -1 if it oscillates,
-  0 on the separatrix, 1 if it rotates. A bad line becomes a line "ERROR: ..."
-  --method agm|series   arithmetic-geometric mean, or the power series of the
-                        period, which may need many terms            [agm]
-  --epsilon E           relative error of the series                 [1e-7]
-
-pendula section, pendula velocity, pendula lyapunov
-  Measure theta'' = -alpha sin(theta) - beta theta' + N + A cos(W t + P).
-  Each of these is a value or a range first:last:count:
-  --theta0 --omega0 --alpha --gravity --length        as in solve     [0, 0, 1]
-  --beta B --torque N                                 1/s, 1/s²       [0, 0]
-  --drive-amplitude A --drive-frequency W --drive-phase P             [0, 0, 0]
+PARAMETERS
+{1}  --gravity G --length L  the same as --alpha G/L
+  One value each for solve; for the other commands also a range first:last:count.
   Ranges multiply; the last varies fastest, and in text an empty line ends it.
-  --transient N         periods of the drive that pass first; without a drive,
-                        periods of 2π/√alpha                         [200]
-  --periods N           that are measured        [100, of lyapunov 1000]
-  --method M            rk4 or taylor                                [rk4]
-  --steps N             of each period, by rk4                       [1000]
-  --tolerance E         of taylor                                    [1e-15]
-  --threads N           [one a processor]; results do not depend on them
-  Lines begin with the values of the ranges. Behind them come, of a section,
-  theta omega for each period, at W t + P = 2πn; or velocity (rad/s); or
-  lyapunov error horizon: the exponent (1/s), its standard error, and the time
-  (s) after which a double's rounding has grown to all there is.
+  solve and analyze need --theta0; analyze takes no friction and no forcing.
+
+METHODS
+  {2}. exact is the closed form: no friction, no
+  forcing; verlet: no friction; taylor chooses its own steps. Measures: rk4, taylor.
+  analyze: agm, the arithmetic-geometric mean, or series, which may need many terms.
+
+COLUMNS of solve and of problems on standard input [t,theta,omega and sine]
+{3}
+MEASURES
+  Looked at once a period of the drive, at Ω t + φ = 2πn; without a drive, of
+  2π/√α. Lines begin with the values of the ranges. Behind them come:
+{4}
+pendula analyze
+  Takes parameters, or lines "θ0 unit ω0 unit α" on standard input. Prints
+  "k thetaM tau" for each: k is -1 if it oscillates, 0 on the separatrix, 1 if it
+  rotates. A bad line becomes a line "ERROR: ..."
+
+OPTIONS; times are in seconds, or factors of τ: with friction or forcing the period
+  of the drive or, where there is none, 2π/√α
+{5}  -h, --help, --version
 
 EXIT STATUS
-  0 done   1 bad data, or a run that is too long   2 bad usage
+  0 done   1 bad data, or a motion out of the range of doubles   2 bad usage
   3 the output could not be written   130 interrupted; all rows are whole
 
 EXAMPLES
-  echo "0.0001 0.02 1 90 s 0 r 1" | pendula
-  pendula solve --theta0 90deg --gravity 9.81 --length 0.5 --every 0.01 --until 10
-  pendula solve --theta0 3 --columns t,theta,error --precision full --format csv
-  pendula analyze --theta0 0 --omega0 2
-  pendula section --beta 0.5 --drive-amplitude 0.9:1.5:601 --drive-frequency 0.6667
 )",
     R"(pendula - el péndulo, exacto y paso a paso:
-          theta'' = -alpha sen(theta) - beta theta' + N + A cos(W t + P)
+  θ'' = -(α + P cos(Ω t + φ)) sen θ - β θ' + μ + Γ cos(Ω t + φ)
 
 USO
   pendula [OPCIONES] < problemas       resuelve problemas de la entrada estándar
   pendula solve --theta0 ÁNGULO ...    resuelve un problema dado con opciones
   pendula analyze [OPCIONES]           régimen, ángulo límite, tiempo característico
-  pendula section [OPCIONES]           estados, uno por periodo de la fuerza
-  pendula velocity [OPCIONES]          velocidad angular media
-  pendula lyapunov [OPCIONES]          mayor exponente de Lyapunov
-  pendula NOMBRE ...                   ejecuta pendula-NOMBRE, junto a pendula o en PATH
+{0}  pendula NOMBRE ...                   ejecuta pendula-NOMBRE, junto a pendula o en PATH
 
 PROBLEMAS EN LA ENTRADA ESTÁNDAR
   Ocho valores separados por espacios o saltos de línea; # abre un comentario
@@ -142,93 +91,119 @@ PROBLEMAS EN LA ENTRADA ESTÁNDAR
   el péndulo oscila, la sinusoide de igual amplitud y periodo. Dos líneas en
   blanco separan las tablas. El primer problema incorrecto termina el programa.
 
-OPCIONES DE solve
-  --theta0 ÁNGULO       ángulo inicial: 1.5 (radianes) o 90deg; es obligatorio
-  --omega0 VELOCIDAD    velocidad angular inicial: 0.2 o 10deg/s    [0]
-  --alpha A             rigidez g/l, 1/s²                           [1]
-  --gravity G --length L    lo mismo que --alpha G/L
-  --beta B --torque N   rozamiento, 1/s, y par constante, 1/s²      [0, 0]
-  --drive-amplitude A --drive-frequency W --drive-phase P             [0, 0, 0]
-                        suma A cos(W t + P), 1/s²; P: 1.5 o 90deg
-                        Con cualquiera de ellos, τ es el periodo del forzamiento
-                        o, si no lo hay, 2π/√α.
-  --dt-factor F         paso máximo, como factor de τ               [0.0001]
-  --dt S                lo mismo en segundos
-  --every-factor F      tiempo entre filas, como factor de τ        [0.02]
-  --every S             lo mismo en segundos
-  --until-factor F      duración, como factor de τ                  [1]
-  --until S             lo mismo en segundos
+PARÁMETROS
+{1}  --gravity G --length L  lo mismo que --alpha G/L
+  Un solo valor para solve; para las demás órdenes, también un rango
+  primero:último:cuántos. Los rangos se multiplican; el último es el que más
+  deprisa varía, y en texto termina con una línea vacía.
+  solve y analyze necesitan --theta0; analyze no admite rozamiento ni fuerzas.
 
-OPCIONES DE solve Y DE LOS PROBLEMAS EN LA ENTRADA ESTÁNDAR
-  --method M            rk4, euler, verlet, taylor o exact: la solución exacta [rk4]
-                        exact no admite rozamiento ni fuerzas, verlet no admite
-                        rozamiento; taylor elige sus pasos según
-  --tolerance E         el error relativo de un paso de taylor       [1e-15]
-  --columns LISTA       de estas, separadas por comas [t,theta,omega y sine]:
-                          t       tiempo, s
-                          theta   ángulo en [-π, π), rad
-                          omega   velocidad angular, rad/s
-                          sine    la sinusoide; nan si no oscila
-                          exact   ángulo de la solución exacta
-                          error   theta menos exact, en [-π, π)
-                          energy  ω²/2 + α(1 - cos θ), 1/s²
-                          turns   vueltas enteras: θ + 2π turns las cuenta todas
+MÉTODOS
+  {2}. exact es la solución exacta: sin rozamiento ni
+  fuerzas; verlet: sin rozamiento; taylor elige sus pasos. Medidas: rk4, taylor.
+  analyze: agm, la media aritmético-geométrica, o series, que puede necesitar muchos
+  términos.
 
-OPCIONES DE TODAS LAS ÓRDENES
-  --format F            text, csv o json: un objeto por línea, el de cada
-                        problema antes que sus filas                 [text]
-  --precision N         cifras significativas, de 1 a 17, o full: las mínimas
-                        que se releen como el mismo double           [6]
-  --output FICHERO      escribe en FICHERO; no lo toca si el primer problema es
-                        incorrecto
-  --lang L              mensajes en en o es  [según LC_ALL, LC_MESSAGES o LANG]
-  -h, --help            esta página
-  --version             la versión
-
+COLUMNAS de solve y de los problemas en la entrada estándar [t,theta,omega y sine]
+{3}
+MEDIDAS
+  Miran una vez por periodo del forzamiento, cuando Ω t + φ = 2πn; sin él, por
+  periodo de 2π/√α. Las líneas empiezan por los valores de los rangos. Siguen:
+{4}
 pendula analyze
-  Acepta --theta0, --omega0 y --alpha como solve; o líneas "θ0 unidad ω0 unidad α"
-  en la entrada estándar. Escribe "k thetaM tau" para cada una: k es -1 si oscila,
-  0 en la separatriz, 1 si rota. Una línea incorrecta se convierte en una línea
-  "ERROR: ..."
-  --method agm|series   media aritmético-geométrica, o la serie de potencias del
-                        periodo, que puede necesitar muchos términos  [agm]
-  --epsilon E           error relativo de la serie                   [1e-7]
+  Acepta parámetros, o líneas "θ0 unidad ω0 unidad α" en la entrada estándar.
+  Escribe "k thetaM tau" para cada una: k es -1 si oscila, 0 en la separatriz,
+  1 si rota. Una línea incorrecta se convierte en una línea "ERROR: ..."
 
-pendula section, pendula velocity, pendula lyapunov
-  Miden theta'' = -alpha sen(theta) - beta theta' + N + A cos(W t + P).
-  Cada una de estas es un valor o un rango primero:último:cuántos:
-  --theta0 --omega0 --alpha --gravity --length        como en solve   [0, 0, 1]
-  --beta B --torque N                                 1/s, 1/s²       [0, 0]
-  --drive-amplitude A --drive-frequency W --drive-phase P             [0, 0, 0]
-  Los rangos se multiplican; el último es el que más deprisa varía, y en texto
-  termina con una línea vacía.
-  --transient N         periodos de la fuerza que pasan antes; sin fuerza,
-                        periodos de 2π/√alpha                        [200]
-  --periods N           los que se miden         [100; de lyapunov, 1000]
-  --method M            rk4 o taylor                                 [rk4]
-  --steps N             de cada periodo, con rk4                     [1000]
-  --tolerance E         de taylor                                    [1e-15]
-  --threads N           [uno por procesador]; los resultados no dependen de ellos
-  Las líneas empiezan por los valores de los rangos. Tras ellos van, de una
-  sección, theta omega de cada periodo, cuando W t + P = 2πn; o velocity
-  (rad/s); o lyapunov error horizon: el exponente (1/s), su error típico y el
-  tiempo (s) en que el redondeo de un double crece hasta cubrirlo todo.
+OPCIONES; los tiempos son segundos, o factores de τ: con rozamiento o fuerzas, el
+  periodo del forzamiento o, si no lo hay, 2π/√α
+{5}  -h, --help, --version
 
 ESTADO DE SALIDA
-  0 hecho   1 datos incorrectos, o una simulación demasiado larga
+  0 hecho   1 datos incorrectos, o un movimiento fuera del rango de double
   2 uso incorrecto   3 no se ha podido escribir la salida
   130 interrumpido; todas las filas están enteras
 
 EJEMPLOS
-  echo "0.0001 0.02 1 90 s 0 r 1" | pendula
+)"};
+
+constexpr std::string_view examples = R"(  echo "0.0001 0.02 1 90 s 0 r 1" | pendula
   pendula solve --theta0 90deg --gravity 9.81 --length 0.5 --every 0.01 --until 10
   pendula solve --theta0 3 --columns t,theta,error --precision full --format csv
   pendula analyze --theta0 0 --omega0 2
   pendula section --beta 0.5 --drive-amplitude 0.9:1.5:601 --drive-frequency 0.6667
-)"};
+)";
+
+/// The text and spaces behind it, up to a number of UTF-8 characters.
+std::string padded(std::string text, std::ptrdiff_t width) {
+    const auto characters = std::ranges::count_if(text, [](char c) { return (c & 0xc0) != 0x80; });
+    return text.append(static_cast<std::size_t>(std::max<std::ptrdiff_t>(1, width - characters)), ' ');
+}
+
+/// "angular velocity, rad/s" of a meaning and a unit.
+std::string with_unit(const Words& meaning, std::string_view unit) {
+    return say(meaning) + (unit == "1" ? "" : ", " + std::string(unit));
+}
+
+std::string parameter_lines() {
+    std::string lines;
+    for (const auto& p : parameters) {
+        lines += padded("  " + option_of(p.name), 22) + padded(p.symbol, 4) + with_unit(p.meaning, p.unit);
+        if (p.is_angle) lines += say({": 1.5 or 90deg", ": 1.5 o 90deg"}) + std::string(p.unit).substr(3);
+        lines += " [" + shown(p.otherwise) + "]\n";
+    }
+    return lines;
+}
+
+std::string usage_lines() {
+    std::string lines;
+    const std::string options = say({" [OPTIONS]", " [OPCIONES]"});
+    const auto width = 28 + static_cast<std::ptrdiff_t>(options.size());
+    for (const auto& info : measures)
+        lines += padded("  pendula " + hyphenated(info.name) + options, width) + say(info.meaning) + '\n';
+    return lines;
+}
+
+/// What a line of each measure holds.
+std::string measure_lines() {
+    std::string lines;
+    for (const auto& info : measures) {
+        std::string lead = "  " + hyphenated(info.name);
+        for (const auto& column : info.columns) {
+            if (!column.header) continue;
+            lines += padded(lead, 18) + padded(column.header, 15) + with_unit(column.meaning, column.unit) + '\n';
+            lead.clear();
+        }
+    }
+    return lines;
+}
+
+std::string table_column_lines() {
+    std::string lines;
+    for (const auto& column : table_columns) lines += padded(std::string("  ") + column.name, 18) + say(column.meaning) + '\n';
+    return lines;
+}
+
+/// The options that are no parameters, under the commands that take them.
+std::string option_lines() {
+    std::string lines;
+    unsigned commands = 0;
+    for (const auto& option : known_options()) {
+        if (!*option.value) continue;
+        if (option.commands != commands) lines += "  " + typed_commands(option.commands, "") + ":\n";
+        commands = option.commands;
+        lines += padded("    " + option.name + ' ' + option.value, 24) + say(option.meaning);
+        lines += option.otherwise.empty() ? "\n" : " [" + option.otherwise + "]\n";
+    }
+    return lines;
+}
 
 }  // namespace
 
-std::string manual() { return say(page); }
+std::string manual() {
+    return say(page, {usage_lines(), parameter_lines(), joined({std::begin(method_names), std::end(method_names)}),
+                      table_column_lines(), measure_lines(), option_lines()}) +
+           std::string(examples);
+}
 
 }  // namespace pendula::cli

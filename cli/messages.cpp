@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdlib>
 
 namespace pendula::cli {
 
@@ -40,16 +39,9 @@ std::size_t slips(std::string_view a, std::string_view b) {
 
 }  // namespace
 
-Language language_of_environment() {
-    for (const char* name : {"LC_ALL", "LC_MESSAGES", "LANG"})
-        if (const char* value = std::getenv(name); value && *value)
-            return std::string_view(value).starts_with("es") ? Language::es : Language::en;
-    return Language::en;
-}
-
 void set_language(Language language) { spoken = language; }
 
-std::string say(const Text& text, std::initializer_list<std::string_view> values) {
+std::string say(const Words& text, std::initializer_list<std::string_view> values) {
     const std::string_view pattern = spoken == Language::es ? text.es : text.en;
     std::string filled;
     for (std::size_t i = 0; i < pattern.size(); ++i) {
@@ -63,17 +55,22 @@ std::string say(const Text& text, std::initializer_list<std::string_view> values
     return filled;
 }
 
+std::string say(const Refusal& refusal, const std::string& name) { return describe(refusal, spoken, name); }
+
+Failure bad_usage(const Words& text, std::initializer_list<std::string_view> values) {
+    return {Status::bad_usage, say(text, values)};
+}
+
 void tell(std::string_view message) {
     const std::string line = "pendula: " + std::string(message) + '\n';
     // One write, so that lines of several processes do not mix. There is nobody to tell if it fails.
     [[maybe_unused]] const auto written = ::write(STDERR_FILENO, line.data(), line.size());
 }
 
-std::string in_quotes(std::string_view token) {
-    constexpr std::size_t most = 40;
+std::string in_quotes(std::string_view token, std::size_t longest) {
     std::string shown = "\"";
     std::size_t i = 0;
-    while (i < token.size() && i < most) {
+    while (i < token.size() && i < longest) {
         const auto byte = static_cast<unsigned char>(token[i]);
         if (byte >= 0x20 && byte < 0x7f) {
             shown += token[i++];
@@ -90,48 +87,46 @@ std::string in_quotes(std::string_view token) {
 }
 
 std::string reason(int error) {
-    switch (error) {
-        case ENOSPC:
-            return say({"no space left on the device", "no queda espacio en el dispositivo"});
-        case EDQUOT:
-            return say({"disk quota exceeded", "se ha superado la cuota de disco"});
-        case EFBIG:
-            return say({"the file would be too large", "el fichero sería demasiado grande"});
-        case EACCES:
-            return say({"permission denied", "permiso denegado"});
-        case ENOENT:
-            return say({"no such file or directory", "no existe el fichero o el directorio"});
-        case EISDIR:
-            return say({"it is a directory", "es un directorio"});
-        case ENOTDIR:
-            return say({"part of the path is not a directory", "parte de la ruta no es un directorio"});
-        case EROFS:
-            return say({"the file system is read-only", "el sistema de ficheros es de solo lectura"});
-        case EBADF:
-            return say({"it is closed", "está cerrada"});
-        case EIO:
-            return say({"input/output error", "error de entrada/salida"});
-        default:
-            return say({"system error {0}", "error {0} del sistema"}, {std::to_string(error)});
-    }
+    static constexpr struct {
+        int error;
+        Words text;
+    } known[] = {
+        {ENOSPC, {"no space left on the device", "no queda espacio en el dispositivo"}},
+        {EDQUOT, {"disk quota exceeded", "se ha superado la cuota de disco"}},
+        {EFBIG, {"the file would be too large", "el fichero sería demasiado grande"}},
+        {EACCES, {"permission denied", "permiso denegado"}},
+        {ENOENT, {"no such file or directory", "no existe el fichero o el directorio"}},
+        {EISDIR, {"it is a directory", "es un directorio"}},
+        {ENOTDIR, {"part of the path is not a directory", "parte de la ruta no es un directorio"}},
+        {EROFS, {"the file system is read-only", "el sistema de ficheros es de solo lectura"}},
+        {EBADF, {"it is closed", "está cerrada"}},
+        {EIO, {"input/output error", "error de entrada/salida"}},
+    };
+    for (const auto& [number, text] : known)
+        if (number == error) return say(text);
+    return say({"system error {0}", "error {0} del sistema"}, {std::to_string(error)});
 }
 
-std::string joined(const std::vector<std::string_view>& words) {
+std::string joined(const std::vector<std::string>& words) {
     std::string list;
-    for (const auto word : words) list.append(list.empty() ? "" : ", ").append(word);
+    for (const auto& word : words) list.append(list.empty() ? "" : ", ").append(word);
     return list;
 }
 
-std::string_view nearest(std::string_view typed, std::span<const std::string_view> names) {
-    std::string_view best;
+std::string nearest(std::string_view typed, const std::vector<std::string>& names) {
+    std::string best;
     std::size_t fewest = std::min<std::size_t>(typed.size(), typed.size() < 5 ? 2 : 3);  // as many slips are another word
-    for (const auto name : names) {
+    for (const auto& name : names) {
         if (const std::size_t n = slips(typed, name); n < fewest) {
             fewest = n;
             best = name;
         }
     }
-    return best;
+    if (!best.empty()) return best;
+    const auto last_words = typed.substr(std::min(typed.find_first_not_of('-'), typed.size()));
+    const auto ends_so = [&](const std::string& name) { return name.ends_with(std::string("-").append(last_words)); };
+    const auto found = std::ranges::find_if(names, ends_so);
+    return last_words.empty() || found == names.end() ? std::string() : *found;
 }
 
 }  // namespace pendula::cli

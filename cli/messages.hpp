@@ -7,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
-namespace pendula::cli {
+#include "src/messages.hpp"
 
-enum class Status : int { done = 0, bad_data = 1, bad_usage = 2, not_written = 3, interrupted = 130 };
+namespace pendula::cli {
 
 /// Ends the work. `main` tells the message, unless it is empty, and exits with the status.
 struct Failure {
@@ -17,33 +17,29 @@ struct Failure {
     std::string message;
 };
 
-/// One text in both languages, with {0}, {1}... where values go.
-struct Text {
-    std::string_view en, es;
-};
-
-enum class Language { en, es };
-
-/// The language of LC_ALL, LC_MESSAGES or LANG, the first that is set and not empty: Spanish if it begins with "es".
-Language language_of_environment();
 void set_language(Language language);
 
-/// The text in the language set, its places filled in.
-std::string say(const Text& text, std::initializer_list<std::string_view> values = {});
+/// The text in the language set, with values in place of {0}, {1}...
+std::string say(const Words& text, std::initializer_list<std::string_view> values = {});
+/// Why the library refused something; `name` is what the argument is called here.
+std::string say(const Refusal& refusal, const std::string& name);
+
+/// Failure with Status::bad_usage and such a text.
+Failure bad_usage(const Words& text, std::initializer_list<std::string_view> values = {});
 
 /// Writes "pendula: message" and a line end to standard error.
 void tell(std::string_view message);
 
-/// A token as messages show it: in quotes, at most 40 bytes of it, what does not print escaped.
-std::string in_quotes(std::string_view token);
+/// A token as messages show it: in quotes, at most `longest` bytes of it, what does not print escaped.
+std::string in_quotes(std::string_view token, std::size_t longest = 40);
 
 /// Why a system call failed, in the language set.
 std::string reason(int error);
 
 /// The words with commas between them.
-std::string joined(const std::vector<std::string_view>& words);
+std::string joined(const std::vector<std::string>& words);
 
-/// The one of the names that is the fewest typing slips away from `typed`; empty where none is near.
-std::string_view nearest(std::string_view typed, std::span<const std::string_view> names);
+/// The name that is the fewest typing slips away from `typed`, or else the first that ends in it; empty where there is none.
+std::string nearest(std::string_view typed, const std::vector<std::string>& names);
 
 }  // namespace pendula::cli

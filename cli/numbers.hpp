@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "pendula/validate.hpp"
+#include "pendula/parameters.hpp"
 
 namespace pendula::cli {
 
@@ -14,11 +14,14 @@ struct Parsed {
     std::string wrong;  ///< empty where the value stands
 };
 
-/// The finite decimal number that `text` spells, sign and exponent allowed, if it satisfies the rule.
-Parsed parse_number(std::string_view text, Rule rule);
+/// The decimal number that `text` spells, sign and exponent allowed, if it satisfies the rule. Messages begin with `name`.
+Parsed parse_number(std::string_view name, std::string_view text, Rule rule);
 
-/// The angle or angular velocity [rad] of a bare number of radians, or of one of degrees followed by `suffix`.
-Parsed parse_angle(std::string_view text, std::string_view suffix);
+/// The angle or angular velocity [rad] of a number of radians, or of a number of degrees with `suffix` behind it.
+Parsed parse_angle(std::string_view name, std::string_view text, std::string_view suffix);
+
+/// What is wrong with the text given for `name`.
+std::string wrong_text(std::string_view name, std::string_view text, std::string_view why);
 
 /// Significant digits of every number printed; `full` is the fewest decimals that read back to the same double.
 inline constexpr int full = 0;
@@ -30,7 +33,7 @@ inline constexpr std::size_t number_room = 32;
 /// NaN is written as `nan`.
 char* put_number(char* at, double value, int precision);
 
-/// `put_number` with six digits, as messages show numbers.
-std::string shown(double value);
+/// `put_number` as a string; messages show six digits.
+std::string shown(double value, int precision = 6);
 
 }  // namespace pendula::cli

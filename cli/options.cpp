@@ -1,89 +1,64 @@
 #include "cli/options.hpp"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
+#include <bit>
 #include <charconv>
 
 namespace pendula::cli {
 
 namespace {
 
-[[noreturn]] void refuse(const Text& text, std::initializer_list<std::string_view> values) {
-    throw Failure{Status::bad_usage, say(text, values)};
+constexpr unsigned all_measures = ((1u << std::size(measures)) - 1) * first_measure_command;
+constexpr unsigned all_solutions = solve_input_command | solve_command;
+constexpr unsigned all_but_input = solve_command | analyze_command | all_measures;
+constexpr unsigned all_commands = all_but_input | solve_input_command;
+
+/// The commands that take a parameter; analyze takes what the equation of a free pendulum has.
+unsigned takers(const Parameter& parameter) {
+    const bool is_forcing = parameter.value && parameter.value != &Pendulum::alpha;
+    return is_forcing ? solve_command | all_measures : all_but_input;
 }
 
-std::size_t place(std::string_view name) {
-    return static_cast<std::size_t>(std::ranges::find(option_names, name, &OptionName::name) - option_names);
-}
-
-/// The commands that take an option, as they are typed.
-std::string takers(unsigned mask) {
-    std::vector<std::string> names;
-    for (const auto& [name, command] : commands)
-        if (mask & command) names.push_back("pendula " + std::string(name));
-    return joined({names.begin(), names.end()});
+/// "100, lyapunov 1000".
+std::string default_periods() {
+    std::string text = shown(measures[0].periods);
+    for (const auto& info : measures)
+        if (info.periods != measures[0].periods) text += ", " + hyphenated(info.name) + ' ' + shown(info.periods);
+    return text;
 }
 
 /// What to say of an argument that is no option of the command nor the value of one.
-[[noreturn]] void refuse_extra(Command command, const std::string& extra) {
+[[noreturn]] void refuse_extra(Command command, std::string_view extra) {
     if (!extra.starts_with('-') || extra == "-")
-        refuse({"unexpected argument {0}; options begin with --, see pendula --help",
-                "el argumento {0} sobra; las opciones empiezan por --, consulta pendula --help"},
-               {in_quotes(extra)});
-    const std::string name = extra.substr(0, extra.find('='));
-    if (const std::size_t i = place(name); i < std::size(option_names))
-        refuse({"option {0} belongs to {1}", "la opción {0} es de {1}"}, {name, takers(option_names[i].commands)});
-    std::vector<std::string_view> names{"--help", "--version"};
-    for (const auto& option : option_names)
+        throw bad_usage({"unexpected argument {0}; options begin with --, see pendula --help",
+                         "el argumento {0} sobra; las opciones empiezan por --, consulta pendula --help"},
+                        {in_quotes(extra)});
+    const auto name = extra.substr(0, extra.find('='));
+    if (const Option* other = find_option(name))
+        throw bad_usage({"option {0} belongs to {1}", "la opción {0} es de {1}"}, {name, typed_commands(other->commands)});
+    std::vector<std::string> names{"--help", "--version"};
+    for (const auto& option : known_options())
         if (option.commands & command) names.push_back(option.name);
     const auto meant = nearest(name, names);
     if (meant.empty())
-        refuse({"unknown option {0}; see pendula --help", "opción desconocida {0}; consulta pendula --help"},
-               {in_quotes(name)});
-    refuse({"unknown option {0}; did you mean {1}?", "opción desconocida {0}; ¿querías decir {1}?"}, {in_quotes(name), meant});
+        throw bad_usage({"unknown option {0}; see pendula --help", "opción desconocida {0}; consulta pendula --help"},
+                        {in_quotes(name)});
+    throw bad_usage({"unknown option {0}; did you mean {1}?", "opción desconocida {0}; ¿querías decir {1}?"},
+                    {in_quotes(name), meant});
 }
 
-double value(const Options& options, std::string_view name, const Parsed& parsed) {
-    if (!parsed.wrong.empty()) refuse_value(options, name, parsed.wrong);
-    return parsed.value;
+const Options::Given* find(const Options& options, std::string_view name) {
+    const auto found = std::ranges::find(options.given, name, &Options::Given::name);
+    return found == options.given.end() ? nullptr : &*found;
 }
 
-void read_duration(const Options& options, std::string_view factor, std::string_view time, Duration& duration) {
-    refuse_both(options, factor, time);
-    if (is_given(options, factor)) duration = {number(options, factor, Rule::positive, 0), true};
-    if (is_given(options, time)) duration = {number(options, time, Rule::positive, 0), false};
+void refuse_with(const Options& options, std::string_view name, std::string_view method) {
+    if (is_given(options, name))
+        throw bad_usage({"{0} does not go with --method {1}", "{0} no va con --method {1}"}, {name, method});
 }
 
-/// Which of the words `typed` is; `name` is the option it was typed for.
-std::size_t pick(const Options& options, std::string_view name, std::string_view typed,
-                 std::span<const std::string_view> words) {
-    const auto found = static_cast<std::size_t>(std::ranges::find(words, typed) - words.begin());
-    if (found < words.size()) return found;
-    std::string wrong =
-        say({"{0} is none of {1}", "{0} no es ninguno de {1}"}, {in_quotes(typed), joined({words.begin(), words.end()})});
-    if (const auto meant = nearest(typed, words); !meant.empty())
-        wrong += say({"; did you mean {0}?", "; ¿querías decir {0}?"}, {meant});
-    refuse_value(options, name, wrong);
-}
-
-std::vector<Column> columns(const Options& options) {
-    std::vector<Column> chosen;
-    std::string_view rest = text(options, "--columns");
-    for (bool is_last = false; !is_last;) {
-        const std::size_t comma = rest.find(',');
-        is_last = comma == std::string_view::npos;
-        const auto word = rest.substr(0, comma);
-        const auto column = static_cast<Column>(pick(options, "--columns", word, column_names));
-        if (std::ranges::count(chosen, column))
-            refuse_value(options, "--columns", say({"{0} stands there twice", "{0} está dos veces"}, {word}));
-        chosen.push_back(column);
-        rest.remove_prefix(is_last ? rest.size() : comma + 1);
-    }
-    return chosen;
-}
-
-int precision(const Options& options) {
-    const std::string& typed = text(options, "--precision");
+int precision_of(const Options& options) {
+    const auto typed = text_of(options, "--precision");
     if (typed == "full") return full;
     int digits = 0;
     const auto [end, error] = std::from_chars(typed.data(), typed.data() + typed.size(), digits);
@@ -95,163 +70,200 @@ int precision(const Options& options) {
 
 }  // namespace
 
-Options parse(Command command, const std::vector<std::string>& arguments) {
+const MeasureInfo* measure_of(Command command) {
+    return command < first_measure_command ? nullptr : &measures[std::countr_zero(command / first_measure_command)];
+}
+
+std::optional<Command> command_named(std::string_view name) {
+    if (name == "solve") return solve_command;
+    if (name == "analyze") return analyze_command;
+    for (const auto& info : measures)
+        if (name == hyphenated(info.name)) return command_of(info);
+    return {};
+}
+
+std::vector<std::string> command_names() {
+    std::vector<std::string> names{"solve", "analyze"};
+    for (const auto& info : measures) names.push_back(hyphenated(info.name));
+    return names;
+}
+
+std::string typed_commands(unsigned mask, const std::string& lead) {
+    std::vector<std::string> typed;
+    if (mask & solve_input_command) typed.push_back("pendula");
+    for (const auto& name : command_names())
+        if (const auto command = command_named(name); command && (mask & *command)) typed.push_back(lead + name);
+    return joined(typed);
+}
+
+std::string hyphenated(std::string_view name) {
+    std::string typed(name);
+    std::ranges::replace(typed, '_', '-');
+    return typed;
+}
+
+std::string option_of(std::string_view name) { return "--" + hyphenated(name); }
+
+const Parameter& swept_parameter(std::size_t i) {
+    static constexpr Parameter makers_of_alpha[] = {
+        {"gravity", "g", "m/s²", {"of alpha = g/l", "de alpha = g/l"}, 1, Rule::positive, false, nullptr, nullptr, nullptr},
+        {"length", "l", "m", {"of alpha = g/l", "de alpha = g/l"}, 1, Rule::positive, false, nullptr, nullptr, nullptr},
+    };
+    return i < parameter_count ? parameters[i] : makers_of_alpha[i - parameter_count];
+}
+
+const std::vector<Option>& known_options() {
+    static const std::vector<Option> known = [] {
+        std::vector<Option> all;
+        for (std::size_t i = 0; i < swept_count; ++i)
+            all.push_back({option_of(swept_parameter(i).name), takers(swept_parameter(i))});
+        const Words seconds{"the same in seconds", "lo mismo en segundos"};
+        const Option others[] = {
+            {"--dt-factor", solve_command, "F", {"longest step, as a factor of τ", "paso máximo, como factor de τ"}, "0.0001"},
+            {"--dt", solve_command, "S", seconds},
+            {"--every-factor", solve_command, "F", {"time between rows", "tiempo entre filas"}, "0.02"},
+            {"--every", solve_command, "S", seconds},
+            {"--until-factor", solve_command, "F", {"length of the run", "duración"}, "1"},
+            {"--until", solve_command, "S", seconds},
+            {"--columns", all_solutions, "LIST", {"see COLUMNS", "véase COLUMNAS"}},
+            {"--epsilon", analyze_command, "E", {"relative error of the series", "error relativo de la serie"}, "1e-7"},
+            {"--transient", all_measures, "N", {"periods that pass first", "periodos que pasan antes"}, "200"},
+            {"--periods", all_measures, "N", {"periods that are measured", "periodos que se miden"}, default_periods()},
+            {"--steps", all_measures, "N", {"steps of each period, by rk4", "pasos de cada periodo, con rk4"}, "1000"},
+            {"--threads", all_measures, "N", {"results do not depend on them", "los resultados no dependen de ellos"}},
+            {"--match",
+             command_of(measures[static_cast<int>(Measure::attractors)]),
+             "D",
+             {"how near an orbit comes back", "a qué distancia vuelve una órbita"},
+             "1e-6"},
+            {"--tolerance",
+             all_solutions | all_measures,
+             "E",
+             {"relative error of a step of taylor", "error relativo de un paso de taylor"},
+             "1e-15"},
+            {"--method", all_commands, "M", {"see METHODS", "véase MÉTODOS"}},
+            {"--format",
+             all_commands,
+             "F",
+             {"text, csv, or json: an object a line", "text, csv o json: un objeto por línea"},
+             "text"},
+            {"--precision",
+             all_commands,
+             "N",
+             {"digits from 1 to 17, or full: those that read back the same",
+              "cifras, de 1 a 17, o full: las que se releen igual"},
+             "6"},
+            {"--output",
+             all_commands,
+             "FILE",
+             {"untouched if the first problem is bad; - is standard output",
+              "intacto si el primer problema está mal; - es la salida estándar"}},
+            {"--lang",
+             all_commands,
+             "L",
+             {"en or es, else as LC_ALL, LC_MESSAGES or LANG say", "en o es; si no, según LC_ALL, LC_MESSAGES o LANG"}},
+        };
+        all.insert(all.end(), std::begin(others), std::end(others));
+        return all;
+    }();
+    return known;
+}
+
+const Option* find_option(std::string_view name) {
+    const auto found = std::ranges::find(known_options(), name, &Option::name);
+    return found == known_options().end() ? nullptr : &*found;
+}
+
+Options parse(Command command, std::span<const std::string_view> arguments) {
     Options options;
-    CLI::App app;
-    app.set_help_flag();
-    app.allow_extras();
-    const CLI::Option* help = app.add_flag("-h,--help");
-    const CLI::Option* version = app.add_flag("--version");
-    std::array<CLI::Option*, std::size(option_names)> taken{};
-    for (std::size_t i = 0; i < std::size(option_names); ++i)
-        if (option_names[i].commands & command)
-            taken[i] = app.add_option(std::string(option_names[i].name), options.texts[i])->take_last();
-    try {
-        app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
-    } catch (const CLI::ParseError&) {
-        // All that there is left to refuse: an option whose value would stand behind the last argument.
-        refuse({"option {0} needs a value", "la opción {0} necesita un valor"}, {arguments.back()});
+    std::optional<std::string_view> extra;
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+        const auto argument = arguments[i];
+        const auto name = argument.substr(0, argument.find('='));
+        const Option* const option = find_option(name);
+        if (argument == "-h" || argument == "--help") {
+            options.wants_help = true;
+        } else if (argument == "--version") {
+            options.wants_version = true;
+        } else if (!option || !(option->commands & command)) {
+            if (!extra) extra = argument;
+        } else if (name.size() < argument.size()) {
+            options.given.push_back({std::string(name), argument.substr(name.size() + 1)});
+        } else if (++i < arguments.size()) {
+            options.given.push_back({std::string(name), arguments[i]});
+        } else {
+            throw bad_usage({"option {0} needs a value", "la opción {0} necesita un valor"}, {name});
+        }
     }
-    if (const auto extras = app.remaining(); !extras.empty()) refuse_extra(command, extras.front());
-    for (std::size_t i = 0; i < std::size(option_names); ++i) {
-        if (!taken[i]) continue;
-        options.given[i] = taken[i]->count() > 0;
-        if (taken[i]->count() > 1)
-            refuse({"option {0} is given twice", "la opción {0} está dos veces"}, {option_names[i].name});
-    }
-    for (const auto* option : app.parse_order()) options.order.push_back(option->get_name());
-    constexpr std::string_view languages[] = {"en", "es"};
+    if (extra) refuse_extra(command, *extra);
+    for (const auto& [name, text] : options.given)
+        if (std::ranges::count(options.given, name, &Options::Given::name) > 1)
+            throw bad_usage({"option {0} is given twice", "la opción {0} está dos veces"}, {name});
+    constexpr const char* languages[] = {"en", "es"};
     choice(options, "--lang", languages);
-    options.wants_help = help->count() > 0;
-    options.wants_version = version->count() > 0;
     return options;
 }
 
-bool is_given(const Options& options, std::string_view name) { return options.given[place(name)]; }
+bool is_given(const Options& options, std::string_view name) { return find(options, name); }
 
-const std::string& text(const Options& options, std::string_view name) { return options.texts[place(name)]; }
+std::string_view text_of(const Options& options, std::string_view name) {
+    const auto* given = find(options, name);
+    return given ? given->text : "";
+}
 
 void refuse_value(const Options& options, std::string_view name, std::string_view wrong) {
-    throw Failure{Status::bad_usage, std::string(name) + ' ' + in_quotes(text(options, name)) + ": " + std::string(wrong)};
+    throw Failure{Status::bad_usage, wrong_text(name, text_of(options, name), wrong)};
 }
 
 void refuse_both(const Options& options, std::string_view one, std::string_view other) {
     if (is_given(options, one) && is_given(options, other))
-        refuse({"{0} and {1} exclude each other", "{0} y {1} se excluyen"}, {one, other});
+        throw bad_usage({"{0} and {1} exclude each other", "{0} y {1} se excluyen"}, {one, other});
 }
 
-double number(const Options& options, std::string_view name, Rule rule, double otherwise) {
-    return is_given(options, name) ? value(options, name, parse_number(text(options, name), rule)) : otherwise;
+double number_of(const Options& options, std::string_view name, Rule rule, double otherwise) {
+    if (!is_given(options, name)) return otherwise;
+    const Parsed parsed = parse_number(name, text_of(options, name), rule);
+    if (!parsed.wrong.empty()) throw Failure{Status::bad_usage, parsed.wrong};
+    return parsed.value;
 }
 
-std::size_t choice(const Options& options, std::string_view name, std::span<const std::string_view> words) {
-    return is_given(options, name) ? pick(options, name, text(options, name), words) : 0;
+std::size_t pick(const Options& options, std::string_view name, std::string_view typed, std::span<const char* const> words) {
+    const auto found = std::ranges::find(words, typed, [](const char* word) { return std::string_view(word); });
+    if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
+    const std::vector<std::string> names(words.begin(), words.end());
+    std::string wrong = say({"{0} is none of {1}", "{0} no es ninguno de {1}"}, {in_quotes(typed), joined(names)});
+    if (const auto meant = nearest(typed, names); !meant.empty())
+        wrong += say({"; did you mean {0}?", "; ¿querías decir {0}?"}, {meant});
+    refuse_value(options, name, wrong);
 }
 
-bool states_pendulum(const Options& options) {
-    constexpr std::string_view names[] = {"--theta0", "--omega0", "--alpha", "--gravity", "--length"};
-    return std::ranges::any_of(names, [&](std::string_view name) { return is_given(options, name); });
+std::size_t choice(const Options& options, std::string_view name, std::span<const char* const> words) {
+    return is_given(options, name) ? pick(options, name, text_of(options, name), words) : 0;
 }
 
-Pendulum pendulum(const Options& options) {
-    refuse_both(options, "--alpha", "--gravity");
-    refuse_both(options, "--alpha", "--length");
-    if (is_given(options, "--gravity") != is_given(options, "--length"))
-        refuse({"--gravity and --length go together", "--gravity y --length van juntas"}, {});
-    const double gravity = number(options, "--gravity", Rule::positive, 1);
-    const double length = number(options, "--length", Rule::positive, 1);
-    const double alpha = number(options, "--alpha", Rule::positive, gravity / length);
-    if (!satisfies(Rule::positive, alpha))
-        refuse({"--gravity {0} over --length {1} is out of the range of doubles",
-                "--gravity {0} entre --length {1} se sale del rango de double"},
-               {shown(gravity), shown(length)});
-    const Pendulum stated{
-        .alpha = alpha,
-        .beta = number(options, "--beta", Rule::not_negative, 0),
-        .torque = number(options, "--torque", Rule::finite, 0),
-        .drive_amplitude = number(options, "--drive-amplitude", Rule::finite, 0),
-        .drive_frequency = number(options, "--drive-frequency", Rule::not_negative, 0),
-        .drive_phase = is_given(options, "--drive-phase")
-                           ? value(options, "--drive-phase", parse_angle(text(options, "--drive-phase"), "deg"))
-                           : 0,
-    };
-    if (stated.drive_amplitude != 0 && stated.drive_frequency == 0)
-        refuse({"a drive needs a --drive-frequency above 0", "un forzamiento necesita una --drive-frequency mayor que 0"}, {});
-    return stated;
+Method method_of(const Options& options) {
+    const std::size_t i = choice(options, "--method", method_names);
+    const auto method = static_cast<Method>(i);
+    if (method != Method::taylor) refuse_with(options, "--tolerance", method_names[i]);
+    if (!takes_steps(method))
+        for (const auto* name : {"--dt", "--dt-factor", "--steps"}) refuse_with(options, name, method_names[i]);
+    return method;
 }
 
-State initial_state(const Options& options) {
-    if (!is_given(options, "--theta0"))
-        refuse({"--theta0 is missing: the initial angle, as 1.5 (radians) or 90deg",
-                "falta --theta0: el ángulo inicial, como 1.5 (radianes) o 90deg"},
-               {});
-    const double theta = value(options, "--theta0", parse_angle(text(options, "--theta0"), "deg"));
-    if (!is_given(options, "--omega0")) return {theta, 0};
-    return {theta, value(options, "--omega0", parse_angle(text(options, "--omega0"), "deg/s"))};
-}
+double tolerance_of(const Options& options) { return number_of(options, "--tolerance", Rule::fraction, Strobe{}.tolerance); }
 
-void read_durations(const Options& options, Statement& statement) {
-    read_duration(options, "--dt-factor", "--dt", statement.dt);
-    read_duration(options, "--every-factor", "--every", statement.every);
-    read_duration(options, "--until-factor", "--until", statement.until);
-}
-
-Method method(const Options& options) {
-    constexpr std::string_view words[] = {"rk4", "euler", "verlet", "exact", "taylor"};
-    constexpr Method methods[] = {Method::rk4, Method::euler, Method::verlet, Method::exact, Method::taylor};
-    return methods[choice(options, "--method", words)];
-}
-
-double tolerance(const Options& options) {
-    if (is_given(options, "--tolerance") && method(options) != Method::taylor)
-        refuse({"--tolerance goes with --method taylor", "--tolerance va con --method taylor"}, {});
-    return number(options, "--tolerance", Rule::fraction, 1e-15);
-}
-
-void require_able(const Statement& statement, const Layout& layout) {
-    if (is_conservative(statement.pendulum)) return;
-    const Text only_alone = {"{0} needs a pendulum without friction, torque and drive",
-                             "{0} necesita un péndulo sin rozamiento, par ni forzamiento"};
-    if (statement.method == Method::exact) refuse(only_alone, {"--method exact"});
-    if (statement.method == Method::verlet && statement.pendulum.beta != 0)
-        refuse({"--method verlet needs a pendulum without friction", "--method verlet necesita un péndulo sin rozamiento"}, {});
-    for (const Column column : layout.columns)
-        if (column == Column::sine || column == Column::exact || column == Column::error)
-            refuse(only_alone, {"--columns " + std::string(column_names[static_cast<std::size_t>(column)])});
-}
-
-double series_epsilon(const Options& options) {
-    constexpr std::string_view words[] = {"agm", "series"};
-    const bool is_series = choice(options, "--method", words) == 1;
-    if (!is_series && is_given(options, "--epsilon"))
-        refuse({"--epsilon goes with --method series", "--epsilon va con --method series"}, {});
-    return is_series ? number(options, "--epsilon", Rule::fraction, 1e-7) : 0;
-}
-
-Layout layout(const Options& options) {
-    Layout chosen;
-    if (is_given(options, "--columns")) chosen.columns = columns(options);
-    chosen.format = static_cast<Format>(choice(options, "--format", format_names));
-    if (is_given(options, "--precision")) chosen.precision = precision(options);
-    return chosen;
+Style style_of(const Options& options) {
+    const auto format = static_cast<Format>(choice(options, "--format", format_names));
+    return {format, is_given(options, "--precision") ? precision_of(options) : Style{}.precision};
 }
 
 std::string output_path(const Options& options) {
-    if (is_given(options, "--output") && text(options, "--output").empty())
-        refuse_value(options, "--output", say({"it must be the name of a file", "debe ser el nombre de un fichero"}));
-    return text(options, "--output");
-}
-
-Language language(const std::vector<std::string>& arguments) {
-    for (std::size_t i = 0; i < arguments.size(); ++i) {
-        const std::string_view argument = arguments[i];
-        const std::string_view value = argument.starts_with("--lang=")                    ? argument.substr(7)
-                                       : argument == "--lang" && i + 1 < arguments.size() ? std::string_view(arguments[i + 1])
-                                                                                          : "";
-        if (value == "es") return Language::es;
-        if (value == "en") return Language::en;
-    }
-    return language_of_environment();
+    const auto path = text_of(options, "--output");
+    if (is_given(options, "--output") && path.empty())
+        refuse_value(options, "--output",
+                     say({"it must be the name of a file, or - for standard output",
+                          "debe ser el nombre de un fichero, o - para la salida estándar"}));
+    return path == "-" ? "" : std::string(path);
 }
 
 }  // namespace pendula::cli

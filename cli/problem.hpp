@@ -1,37 +1,42 @@
-// A problem as people state it, whatever they state it with, and what becomes of it.
+// A problem as people state it, with options or on standard input, and what becomes of it.
 #pragma once
 
 #include <optional>
-#include <string_view>
+#include <string>
 
+#include "cli/messages.hpp"
 #include "pendula/solve.hpp"
 
 namespace pendula::cli {
 
-/// A time [s], or a factor of the pendulum's own time.
-struct Duration {
-    double value;
-    bool is_factor = true;
+/// Where a problem was stated: messages begin with the place, "problem 2, line 5: " on standard input. What is wrong with
+/// options is bad usage.
+struct Source {
+    Status status = Status::bad_usage;
+    std::string place = {};
 };
 
-/// The defaults are the assignment's.
 struct Statement {
     Pendulum pendulum;
     State initial;
     Method method = Method::rk4;
     double tolerance = 1e-15;
-    Duration dt{0.0001}, every{0.02}, until{1};
+    Durations durations;
+    Source source;
 };
 
 /// A problem that is ready to be solved, with what is known about it beforehand.
 struct Prepared {
     Problem problem;
     std::optional<Analysis> analysis;  ///< of a conservative pendulum
-    double dt = 0, until = 0;          ///< as asked [s]
+    Times times;                       ///< as asked
+    Source source;
 };
 
-/// Throws Failure with Status::bad_data, its message beginning with `place`, where numbers that are legal one by one make
-/// no run: out of the range of doubles, or longer than 2^53 steps.
-Prepared prepare(const Statement& statement, std::string_view place);
+/// Throws Failure with the source's status, and its place before the message.
+[[noreturn]] void refuse(const Source& source, const std::string& message);
+
+/// Refuses numbers that are legal one by one and make no run.
+Prepared prepare(const Statement& statement);
 
 }  // namespace pendula::cli

@@ -40,7 +40,7 @@ bool is_space(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
 /// What stands at a place of a problem: a number, or the unit of the number before it.
 struct Field {
-    Text name;
+    Words name;
     Rule rule = Rule::finite;
     bool is_unit = false;
 };
@@ -58,27 +58,26 @@ constexpr Field fields[] = {
 constexpr std::size_t field_count = std::size(fields);
 constexpr std::size_t first_of_state = 3;
 
-/// Puts what the token says into value[0], or as a unit into value[-1]; returns what is wrong with it.
+/// Stores what the token says in value[0], or as a unit in value[-1]; returns what is wrong with it.
 std::string take(const Field& field, const std::string& token, double* value) {
-    std::string wrong;
-    if (token.size() > longest_token) {
-        wrong = say({"it is longer than {0} bytes", "tiene más de {0} bytes"}, {std::to_string(longest_token)});
-    } else if (!field.is_unit) {
-        const Parsed parsed = parse_number(token, field.rule);
+    const auto wrong = [&](const std::string& why) { return wrong_text(say(field.name), token, why); };
+    if (token.size() > longest_token)
+        return wrong(say({"it is longer than {0} bytes", "tiene más de {0} bytes"}, {std::to_string(longest_token)}));
+    if (!field.is_unit) {
+        const Parsed parsed = parse_number(say(field.name), token, field.rule);
         *value = parsed.value;
-        wrong = parsed.wrong;
-    } else if (token == "s") {
-        value[-1] = to_radians(value[-1]);
-    } else if (token != "r") {
-        wrong = say({"it must be r (radians) or s (sexagesimal degrees)", "debe ser r (radianes) o s (grados sexagesimales)"});
+        return parsed.wrong;
     }
-    return wrong.empty() ? wrong : say(field.name) + ' ' + in_quotes(token) + ": " + wrong;
+    if (token == "s") value[-1] = to_radians(value[-1]);
+    if (token == "r" || token == "s") return {};
+    return wrong(
+        say({"it must be r (radians) or s (sexagesimal degrees)", "debe ser r (radianes) o s (grados sexagesimales)"}));
 }
 
-std::string missing(std::span<const Field> absent, const Text& where) {
+std::string missing(std::span<const Field> absent, const Words& where) {
     std::vector<std::string> names;
     for (const Field& field : absent) names.push_back(say(field.name));
-    return say(where) + joined({names.begin(), names.end()});
+    return say(where) + joined(names);
 }
 
 State state(const double* values) { return {values[first_of_state], values[first_of_state + 2]}; }
@@ -106,7 +105,7 @@ bool has_line(const Tokens& tokens) {
     return tokens.begin < tokens.end && std::memchr(tokens.buffer.get() + tokens.begin, '\n', tokens.end - tokens.begin);
 }
 
-std::optional<ReadProblem> read_problem(Tokens& tokens, std::size_t number) {
+std::optional<Statement> read_problem(Tokens& tokens, std::size_t number) {
     double values[field_count] = {};
     std::size_t line = tokens.line;  // of the last token there was
     const auto place = [&] {
@@ -125,13 +124,10 @@ std::optional<ReadProblem> read_problem(Tokens& tokens, std::size_t number) {
                                                                                "la entrada termina antes de tiempo; falta: "});
         if (!wrong.empty()) throw Failure{Status::bad_data, place() + wrong};
     }
-    ReadProblem read{{}, place()};
-    read.statement.pendulum.alpha = values[field_count - 1];
-    read.statement.initial = state(values);
-    read.statement.dt = {values[0]};
-    read.statement.every = {values[1]};
-    read.statement.until = {values[2]};
-    return read;
+    return Statement{.pendulum = {.alpha = values[field_count - 1]},
+                     .initial = state(values),
+                     .durations = {{values[0]}, {values[1]}, {values[2]}},
+                     .source = {Status::bad_data, place()}};
 }
 
 std::optional<ReadLine> read_line(Tokens& tokens) {

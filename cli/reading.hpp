@@ -25,14 +25,9 @@ Next next(Tokens& tokens);
 /// Whether reading on to the next line end needs no waiting.
 bool has_line(const Tokens& tokens);
 
-struct ReadProblem {
-    Statement statement;
-    std::string place;  ///< "problem 2, line 5: "
-};
-
 /// The next problem, of eight tokens; none at the end of the input. `number` counts from 1.
 /// Throws Failure with Status::bad_data at the first token that is none of what would be legal there.
-std::optional<ReadProblem> read_problem(Tokens& tokens, std::size_t number);
+std::optional<Statement> read_problem(Tokens& tokens, std::size_t number);
 
 /// A line of `analyze`: θ0 unit ω0 unit α.
 struct ReadLine {

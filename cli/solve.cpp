@@ -1,14 +1,65 @@
 #include <unistd.h>
 
+#include <algorithm>
+
 #include "cli/commands.hpp"
 #include "cli/reading.hpp"
+#include "cli/sweep.hpp"
+#include "cli/table.hpp"
 
 namespace pendula::cli {
 
+namespace {
+
+std::vector<TableColumn> read_columns(const Options& options) {
+    std::vector<TableColumn> chosen;
+    if (!is_given(options, "--columns")) return chosen;
+    auto rest = text_of(options, "--columns");
+    for (bool is_last = false; !is_last;) {
+        const std::size_t comma = rest.find(',');
+        is_last = comma == std::string_view::npos;
+        const auto word = rest.substr(0, comma);
+        const auto column = static_cast<TableColumn>(pick(options, "--columns", word, column_names));
+        if (std::ranges::count(chosen, column))
+            refuse_value(options, "--columns", say({"{0} stands there twice", "{0} está dos veces"}, {word}));
+        chosen.push_back(column);
+        rest.remove_prefix(is_last ? rest.size() : comma + 1);
+    }
+    return chosen;
+}
+
+Layout read_layout(const Options& options) { return {read_columns(options), style_of(options)}; }
+
+void read_duration(const Options& options, std::string_view factor, std::string_view time, Duration& duration) {
+    refuse_both(options, factor, time);
+    if (is_given(options, factor)) duration = {number_of(options, factor, Rule::positive, 0), true};
+    if (is_given(options, time)) duration = {number_of(options, time, Rule::positive, 0), false};
+}
+
+Durations read_durations(const Options& options) {
+    Durations durations;
+    read_duration(options, "--dt-factor", "--dt", durations.dt);
+    read_duration(options, "--every-factor", "--every", durations.every);
+    read_duration(options, "--until-factor", "--until", durations.until);
+    return durations;
+}
+
+void solve_one(Writer& writer, const Statement& statement, const Layout& layout, std::size_t number) {
+    const Prepared prepared = prepare(statement);
+    require_columns(prepared, layout);
+    open(writer);
+    if (prepared.problem.schedule.rows == 1)
+        tell(prepared.source.place + say({"the time between rows is longer than the run: there is one row",
+                                          "el tiempo entre filas es mayor que la simulación: hay una sola fila"}));
+    print_table(writer, prepared, layout, number);
+}
+
+}  // namespace
+
 void solve_input(const Options& options) {
-    const Layout chosen = layout(options);
-    const Method by = method(options);
-    const double to = tolerance(options);
+    const Layout layout = read_layout(options);
+    const Method method = method_of(options);
+    const double tolerance = tolerance_of(options);
     Writer writer{.path = output_path(options)};
     if (isatty(STDIN_FILENO))
         tell(
@@ -22,12 +73,10 @@ void solve_input(const Options& options) {
                  "  0.0001 0.02 1 90 s 0 r 1"}));
     Tokens tokens;
     std::size_t number = 1;
-    while (auto read = read_problem(tokens, number)) {
-        read->statement.method = by;
-        read->statement.tolerance = to;
-        const Prepared prepared = prepare(read->statement, read->place);
-        open(writer);
-        print_table(writer, prepared, chosen, number++);
+    for (; auto statement = read_problem(tokens, number); ++number) {
+        statement->method = method;
+        statement->tolerance = tolerance;
+        solve_one(writer, *statement, layout, number);
     }
     if (number == 1)
         throw Failure{
@@ -39,17 +88,18 @@ void solve_input(const Options& options) {
 }
 
 void solve_options(const Options& options) {
-    const Layout chosen = layout(options);
-    Statement statement{.pendulum = pendulum(options),
-                        .initial = initial_state(options),
-                        .method = method(options),
-                        .tolerance = tolerance(options)};
-    require_able(statement, chosen);
-    read_durations(options, statement);
+    const Layout layout = read_layout(options);
+    const Sweep sweep = read_sweep(options);
+    require_theta0(options);
+    require_single(options, sweep);
+    require_each(sweep, [](const Pendulum& pendulum) { return check(pendulum); });
+    const Statement statement{.pendulum = pendulum_of(sweep, 0),
+                              .initial = initial_state_of(sweep, 0),
+                              .method = method_of(options),
+                              .tolerance = tolerance_of(options),
+                              .durations = read_durations(options)};
     Writer writer{.path = output_path(options)};
-    const Prepared prepared = prepare(statement, "");
-    open(writer);
-    print_table(writer, prepared, chosen, 1);
+    solve_one(writer, statement, layout, 1);
     close(writer);
 }
 

@@ -3,174 +3,200 @@
 #include <algorithm>
 #include <charconv>
 
+#include "cli/terminal.hpp"
+
 namespace pendula::cli {
 
 namespace {
 
-/// Places among the parameters.
-enum Swept { theta0, omega0, alpha, gravity, length, beta, torque, drive_amplitude, drive_frequency, drive_phase };
+constexpr std::size_t gravity = parameter_count, length = parameter_count + 1;
 
-/// How options state a parameter.
-struct Stated {
-    std::string_view option, column;
-    Rule rule = Rule::finite;
-    double otherwise = 0;
-    std::string_view suffix = {};  ///< of degrees, where it is an angle or turns one
-};
-
-constexpr Stated swept_names[] = {
-    {.option = "--theta0", .column = "theta0", .suffix = "deg"},
-    {.option = "--omega0", .column = "omega0", .suffix = "deg/s"},
-    {.option = "--alpha", .column = "alpha", .rule = Rule::positive, .otherwise = 1},
-    {.option = "--gravity", .column = "gravity", .rule = Rule::positive, .otherwise = 1},
-    {.option = "--length", .column = "length", .rule = Rule::positive, .otherwise = 1},
-    {.option = "--beta", .column = "beta", .rule = Rule::not_negative},
-    {.option = "--torque", .column = "torque"},
-    {.option = "--drive-amplitude", .column = "drive_amplitude"},
-    {.option = "--drive-frequency", .column = "drive_frequency", .rule = Rule::not_negative},
-    {.option = "--drive-phase", .column = "drive_phase", .suffix = "deg"},
-};
-static_assert(std::size(swept_names) == swept_count);
-
-double end(const Options& options, const Stated& stated, std::string_view typed) {
-    const Parsed parsed = stated.suffix.empty() ? parse_number(typed, stated.rule) : parse_angle(typed, stated.suffix);
-    if (!parsed.wrong.empty()) refuse_value(options, stated.option, parsed.wrong);
+double read_end(const Parameter& parameter, std::string_view typed) {
+    const std::string name = option_of(parameter.name);
+    // "deg" for rad, "deg/s" for rad/s
+    const Parsed parsed = parameter.is_angle ? parse_angle(name, typed, "deg" + std::string(parameter.unit).substr(3))
+                                             : parse_number(name, typed, parameter.rule);
+    if (!parsed.wrong.empty()) throw Failure{Status::bad_usage, parsed.wrong};
     return parsed.value;
 }
 
-std::size_t count(const Options& options, const Stated& stated, std::string_view typed) {
+std::size_t read_count(const Options& options, std::string_view name, std::string_view typed) {
     std::size_t n = 0;
     const auto [at, error] = std::from_chars(typed.data(), typed.data() + typed.size(), n);
     if (error != std::errc() || at != typed.data() + typed.size() || n < 1 || n > std::size_t{1} << 53)
-        refuse_value(options, stated.option,
+        refuse_value(options, name,
                      say({"{0} values: the count must be a whole number from 1 to 2^53",
                           "{0} valores: la cuenta debe ser un entero de 1 a 2^53"},
                          {in_quotes(typed)}));
     return n;
 }
 
-Parameter read(const Options& options, const Stated& stated) {
-    Parameter parameter{stated.column, stated.otherwise, stated.otherwise};
-    if (!is_given(options, stated.option)) return parameter;
+Range read_range(const Options& options, const Parameter& parameter) {
+    const std::string name = option_of(parameter.name);
+    if (!is_given(options, name)) return {parameter.otherwise, parameter.otherwise};
     std::vector<std::string_view> parts;
-    std::string_view rest = text(options, stated.option);
+    auto rest = text_of(options, name);
     for (std::size_t colon; (colon = rest.find(':')) != std::string_view::npos; rest.remove_prefix(colon + 1))
         parts.push_back(rest.substr(0, colon));
     parts.push_back(rest);
     if (parts.size() != 1 && parts.size() != 3)
         refuse_value(
-            options, stated.option,
+            options, name,
             say({"it must be one value, or a range first:last:count", "debe ser un valor, o un rango primero:último:cuántos"}));
-    parameter.first = parameter.last = end(options, stated, parts[0]);
-    if (parts.size() == 1) return parameter;
-    parameter.is_range = true;
-    parameter.count = count(options, stated, parts[2]);
-    parameter.last = end(options, stated, parts[1]);
-    if (!satisfies(Rule::finite, parameter.last - parameter.first))
-        refuse_value(options, stated.option, say({"it is wider than the doubles", "es más ancho que los double"}));
-    return parameter;
+    const double first = read_end(parameter, parts[0]);
+    if (parts.size() == 1) return {first, first};
+    const Range range{first, read_end(parameter, parts[1]), read_count(options, name, parts[2]), true};
+    if (!satisfies(Rule::finite, range.last - range.first))
+        refuse_value(options, name, say({"it is wider than the doubles", "es más ancho que los double"}));
+    return range;
 }
 
-template <class Value>
-Pendulum pendulum_of(const Sweep& sweep, Value value_of) {
-    return {.alpha = sweep.has_length ? value_of(gravity) / value_of(length) : value_of(alpha),
-            .beta = value_of(beta),
-            .torque = value_of(torque),
-            .drive_amplitude = value_of(drive_amplitude),
-            .drive_frequency = value_of(drive_frequency),
-            .drive_phase = value_of(drive_phase)};
+double value_at(const Range& range, std::size_t i) {
+    if (i == 0) return range.first;
+    if (i + 1 == range.count) return range.last;
+    return range.first + static_cast<double>(i) * ((range.last - range.first) / static_cast<double>(range.count - 1));
 }
 
-double value_at(const Sweep& sweep, std::size_t parameter, std::size_t combination) {
-    return value(sweep.parameters[parameter], place(sweep, parameter, combination));
+/// Which of its values a range has in a member.
+std::size_t index_of(const Sweep& sweep, std::size_t parameter, std::size_t member) {
+    auto range = sweep.ranges.rbegin();
+    for (; *range != parameter; ++range) member /= sweep.values[*range].count;
+    return member % sweep.values[parameter].count;
 }
 
-/// What no combination may be, though each of its parameters is legal.
-void require_legal(const Sweep& sweep) {
-    for (const auto& p : corners(sweep)) {
-        if (!satisfies(Rule::positive, p.alpha))
-            throw Failure{Status::bad_usage, say({"--gravity over --length is out of the range of doubles",
-                                                  "--gravity entre --length se sale del rango de double"})};
-        if (p.drive_amplitude != 0 && p.drive_frequency == 0)
-            throw Failure{Status::bad_usage, say({"--drive-frequency must be greater than 0 where --drive-amplitude is not 0",
-                                                  "--drive-frequency debe ser mayor que 0 donde --drive-amplitude no sea 0"})};
-    }
+/// The same of one in the table of parameters, where gravity and length are alpha.
+double table_value_of(const Sweep& sweep, std::size_t parameter, std::size_t member) {
+    if (parameters[parameter].value == &Pendulum::alpha && sweep.has_length)
+        return value_of(sweep, gravity, member) / value_of(sweep, length, member);
+    return value_of(sweep, parameter, member);
+}
+
+/// Combinations of the ranges. They are few enough to be counted.
+std::size_t size_of(const Sweep& sweep) {
+    double size = 1;
+    for (const std::size_t i : sweep.ranges) size *= static_cast<double>(sweep.values[i].count);
+    if (size > 0x1p53)
+        throw bad_usage({"the ranges make {0} pendulums, more than 2^53", "los rangos dan {0} péndulos, más de 2^53"},
+                        {shown(size)});
+    return static_cast<std::size_t>(size);
+}
+
+/// "where --beta is 1, --torque is 2: ", of the ranges; nothing where there are none.
+std::string place_of(const Sweep& sweep, std::size_t member) {
+    std::vector<std::string> values;
+    for (const std::size_t i : sweep.ranges)
+        values.push_back(
+            say({"{0} is {1}", "{0} es {1}"}, {option_of(swept_parameter(i).name), shown(value_of(sweep, i, member), full)}));
+    return values.empty() ? "" : say({"where {0}: ", "donde {0}: "}, {joined(values)});
 }
 
 }  // namespace
 
-double value(const Parameter& p, std::size_t i) {
-    if (i == 0) return p.first;
-    if (i + 1 == p.count) return p.last;
-    return p.first + static_cast<double>(i) * ((p.last - p.first) / static_cast<double>(p.count - 1));
-}
-
-Sweep sweep(const Options& options) {
-    Sweep made;
+Sweep read_sweep(const Options& options) {
     refuse_both(options, "--alpha", "--gravity");
     refuse_both(options, "--alpha", "--length");
     if (is_given(options, "--gravity") != is_given(options, "--length"))
-        throw Failure{Status::bad_usage, say({"--gravity and --length go together", "--gravity y --length van juntas"})};
-    made.has_length = is_given(options, "--length");
-    for (std::size_t i = 0; i < swept_count; ++i) made.parameters[i] = read(options, swept_names[i]);
-    double size = 1;
-    for (const auto& name : options.order) {
-        const auto* const stated = std::ranges::find(swept_names, name, &Stated::option);
-        const auto i = static_cast<std::size_t>(stated - swept_names);
-        if (i == swept_count || !made.parameters[i].is_range) continue;
-        made.ranges.push_back(i);
-        size *= static_cast<double>(made.parameters[i].count);
+        throw bad_usage({"--gravity and --length go together", "--gravity y --length van juntas"});
+    Sweep sweep;
+    sweep.has_length = is_given(options, "--length");
+    for (std::size_t i = 0; i < swept_count; ++i) sweep.values[i] = read_range(options, swept_parameter(i));
+    for (const auto& given : options.given)
+        for (std::size_t i = 0; i < swept_count; ++i) {
+            if (given.name != option_of(swept_parameter(i).name)) continue;
+            sweep.is_given = true;
+            if (sweep.values[i].is_range) sweep.ranges.push_back(i);
+        }
+    sweep.size = size_of(sweep);
+    return sweep;
+}
+
+void require_single(const Options& options, const Sweep& sweep) {
+    if (sweep.ranges.empty()) return;
+    refuse_value(options, option_of(swept_parameter(sweep.ranges[0]).name),
+                 say({"solve takes one value; ranges are for analyze and the measures",
+                      "solve toma un solo valor; los rangos son para analyze y las medidas"}));
+}
+
+void require_theta0(const Options& options) {
+    if (!is_given(options, "--theta0"))
+        throw bad_usage({"--theta0 is missing: the initial angle, as 1.5 (radians) or 90deg",
+                         "falta --theta0: el ángulo inicial, como 1.5 (radianes) o 90deg"});
+}
+
+double value_of(const Sweep& sweep, std::size_t parameter, std::size_t member) {
+    const Range& range = sweep.values[parameter];
+    return range.is_range ? value_at(range, index_of(sweep, parameter, member)) : range.first;
+}
+
+Pendulum pendulum_of(const Sweep& sweep, std::size_t member) {
+    Pendulum pendulum;
+    for (std::size_t i = 0; i < parameter_count; ++i)
+        if (const auto place = parameters[i].value) pendulum.*place = table_value_of(sweep, i, member);
+    return pendulum;
+}
+
+State initial_state_of(const Sweep& sweep, std::size_t member) {
+    State initial;
+    for (std::size_t i = 0; i < parameter_count; ++i)
+        if (const auto place = parameters[i].initial) initial.*place = value_of(sweep, i, member);
+    return initial;
+}
+
+void require_each(const Sweep& sweep, const std::function<Refusal(const Pendulum&)>& check) {
+    Sweep pendulums = sweep;  // what they start from is of no account
+    std::erase_if(pendulums.ranges, [](std::size_t i) { return swept_parameter(i).initial != nullptr; });
+    pendulums.size = size_of(pendulums);
+    for (std::size_t member = 0; member < pendulums.size; ++member) {
+        if (is_interrupted()) throw Failure{Status::interrupted, {}};
+        if (const auto refusal = check(pendulum_of(pendulums, member)))
+            throw Failure{Status::bad_usage, place_of(pendulums, member) + say(refusal, name_in_options(sweep, refusal))};
     }
-    if (size > 0x1p53)
-        throw Failure{
-            Status::bad_data,
-            say({"the ranges make {0} pendulums, more than 2^53", "los rangos dan {0} péndulos, más de 2^53"}, {shown(size)})};
-    made.size = static_cast<std::size_t>(size);
-    require_legal(made);
-    return made;
 }
 
-std::size_t place(const Sweep& sweep, std::size_t parameter, std::size_t combination) {
-    for (auto range = sweep.ranges.rbegin(); range != sweep.ranges.rend(); ++range) {
-        const std::size_t n = sweep.parameters[*range].count;
-        if (*range == parameter) return combination % n;
-        combination /= n;
+std::string name_in_options(const Sweep& sweep, const Refusal& refusal) {
+    const std::string_view name = refusal.name;
+    if (name == "alpha" && sweep.has_length) return say({"--gravity over --length", "--gravity entre --length"});
+    if (name == "steps_per_period") return "--steps";
+    return find_option(option_of(name)) ? option_of(name) : std::string(name);
+}
+
+Members members_of(const Sweep& sweep, std::size_t first, std::size_t count) {
+    Members members;
+    members.ensemble.size = count;
+    for (std::size_t i = 0; i < parameter_count; ++i) {
+        const bool is_alpha_of_length = parameters[i].value == &Pendulum::alpha && sweep.has_length;
+        if (!sweep.values[i].is_range && !is_alpha_of_length) {
+            members.ensemble.*parameters[i].column = sweep.values[i].first;
+            continue;
+        }
+        auto& column = members.columns[i];
+        column.resize(count);
+        for (std::size_t j = 0; j < count; ++j) column[j] = table_value_of(sweep, i, first + j);
+        members.ensemble.*parameters[i].column = column;
     }
-    return 0;
+    return members;
 }
 
-Pendulum pendulum(const Sweep& sweep, std::size_t combination) {
-    return pendulum_of(sweep, [&](Swept parameter) { return value_at(sweep, parameter, combination); });
+std::vector<std::string_view> swept_names(const Sweep& sweep) {
+    std::vector<std::string_view> names;
+    for (const std::size_t i : sweep.ranges) names.push_back(swept_parameter(i).name);
+    return names;
 }
 
-State initial_state(const Sweep& sweep, std::size_t combination) {
-    return {value_at(sweep, theta0, combination), value_at(sweep, omega0, combination)};
+char* put_swept(char* at, const RowStyle& style, const Sweep& sweep, std::size_t member) {
+    for (std::size_t field = 0; field < sweep.ranges.size(); ++field)
+        at = put_field(at, style, field, value_of(sweep, sweep.ranges[field], member));
+    return at;
 }
 
-std::vector<Pendulum> corners(const Sweep& sweep) {
-    std::vector<Pendulum> found;
-    for (unsigned ends = 0; ends < 1u << swept_count; ++ends) {
-        const auto end_of = [&](Swept i) { return ends >> i & 1 ? sweep.parameters[i].last : sweep.parameters[i].first; };
-        found.push_back(pendulum_of(sweep, end_of));
+std::string lines_behind(const Sweep& sweep, std::size_t member) {
+    std::string lines;
+    std::size_t length_of_block = 1;
+    for (std::size_t i = sweep.ranges.size(); i-- > 1;) {
+        length_of_block *= sweep.values[sweep.ranges[i]].count;
+        if ((member + 1) % length_of_block == 0) lines += '\n';
     }
-    return found;
-}
-
-Members members(const Sweep& sweep, std::size_t first, std::size_t count) {
-    Members m;
-    for (std::size_t i = first; i < first + count; ++i) {
-        const auto p = pendulum(sweep, i);
-        const auto s = initial_state(sweep, i);
-        m.theta.push_back(s.theta);
-        m.omega.push_back(s.omega);
-        m.alpha.push_back(p.alpha);
-        m.beta.push_back(p.beta);
-        m.torque.push_back(p.torque);
-        m.drive_amplitude.push_back(p.drive_amplitude);
-        m.drive_frequency.push_back(p.drive_frequency);
-        m.drive_phase.push_back(p.drive_phase);
-    }
-    return m;
+    return lines;
 }
 
 }  // namespace pendula::cli

@@ -2,11 +2,10 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <memory>
 
-#include "cli/numbers.hpp"
 #include "cli/terminal.hpp"
 #include "pendula/angle.hpp"
 
@@ -16,58 +15,38 @@ namespace {
 
 constexpr std::size_t block = 256;       // rows computed at a time
 constexpr double step_budget = 1 << 20;  // some 30 ms of steps: how long an interruption may have to wait
-constexpr std::size_t row_room = 512;    // eight fields of at most 12 bytes of lead and `number_room` of number
+constexpr std::size_t row_room = std::size(table_columns) * field_room;
 
-/// The assignment's words where it has them.
-constexpr std::string_view text_headers[] = {"t",     "angulo", "velocidad", "funcionSinusoidal",
-                                             "exact", "error",  "energy",    "turns"};
-
-std::vector<Column> columns_of(const Layout& layout, const std::optional<Analysis>& analysis) {
-    if (!layout.columns.empty()) return layout.columns;
-    if (!analysis || analysis->regime != Regime::oscillation) return {Column::t, Column::theta, Column::omega};
-    return {Column::t, Column::theta, Column::omega, Column::sine};
+bool is_of_closed_form(TableColumn column) {
+    return column == TableColumn::sine || column == TableColumn::exact || column == TableColumn::error;
 }
 
-void put_header(Writer& writer, const std::vector<Column>& columns, Format format) {
-    std::string header;
-    for (const Column column : columns) {
-        const auto i = static_cast<std::size_t>(column);
-        if (!header.empty()) header += format == Format::csv ? ',' : ' ';
-        header += format == Format::csv ? column_names[i] : text_headers[i];
-    }
-    put(writer, header + '\n');
+std::vector<TableColumn> columns_of(const Layout& layout, const std::optional<Analysis>& analysis) {
+    if (!layout.columns.empty()) return layout.columns;
+    if (!analysis || analysis->regime != Regime::oscillation) return {TableColumn::t, TableColumn::theta, TableColumn::omega};
+    return {TableColumn::t, TableColumn::theta, TableColumn::omega, TableColumn::sine};
 }
 
 /// The problem as an object of its own, in full precision, so that the run can be repeated from it.
-void put_problem(Writer& writer, const Prepared& prepared, std::size_t number) {
-    const Problem& problem = prepared.problem;
-    const auto method = method_names[static_cast<std::size_t>(problem.method)];
-    std::string line = "{\"problem\":" + std::to_string(number) + ",\"method\":\"" + std::string(method) + '"';
-    const auto add = [&](std::string_view name, double value) {
-        char digits[number_room];
-        line.append(",\"").append(name).append("\":").append(digits, put_number(digits, value, full));
-    };
-    if (problem.method == Method::taylor) add("tolerance", problem.tolerance);
-    add("alpha", problem.pendulum.alpha);
-    add("beta", problem.pendulum.beta);
-    add("torque", problem.pendulum.torque);
-    add("drive_amplitude", problem.pendulum.drive_amplitude);
-    add("drive_frequency", problem.pendulum.drive_frequency);
-    add("drive_phase", problem.pendulum.drive_phase);
-    add("theta0", problem.initial.theta);
-    add("omega0", problem.initial.omega);
-    add("dt", prepared.dt);
-    add("every", problem.schedule.every);
-    add("until", prepared.until);
-    add("rows", problem.schedule.rows);
+void append_problem(Writer& writer, const Prepared& prepared, std::size_t number) {
+    Problem problem = prepared.problem;
+    std::string line = "{\"problem\":" + std::to_string(number);
+    add_member(line, "method", json_string(method_names[static_cast<std::size_t>(problem.method)]));
+    if (problem.method == Method::taylor) add_number(line, "tolerance", problem.tolerance);
+    for (const auto& parameter : parameters)
+        add_number(line, parameter.name, value_of(parameter, problem.pendulum, problem.initial));
+    if (takes_steps(problem.method)) add_number(line, "dt", prepared.times.dt);
+    add_number(line, "every", problem.schedule.every);
+    add_number(line, "until", prepared.times.until);
+    add_number(line, "rows", problem.schedule.rows);
     if (const auto& analysis = prepared.analysis) {
         const int k = static_cast<int>(analysis->regime);
-        add("k", k);
-        line.append(",\"regime\":\"").append(regime_names[k + 1]).append("\"");
-        add("thetaM", analysis->theta_max);
-        add("tau", analysis->tau);
+        add_number(line, "k", k);
+        add_member(line, "regime", json_string(regime_names[k + 1]));
+        add_number(line, "thetaM", analysis->theta_max);
+        add_number(line, "tau", analysis->tau);
     }
-    put(writer, line + "}\n");
+    append(writer, line + "}\n");
 }
 
 /// The rows at hand, and the closed form beside them.
@@ -81,36 +60,58 @@ void compute_exact(Block& at_hand, std::size_t n, const Exact& solution) {
     at(solution, n, at_hand.t, at_hand.theta, at_hand.omega, at_hand.turns);
 }
 
-double field(Column column, const Block& at_hand, std::size_t i, const Trajectory& run) {
+double field(TableColumn column, const Block& at_hand, std::size_t i, const Trajectory& run) {
     const Sample& row = at_hand.rows[i];
     switch (column) {
-        case Column::t:
+        case TableColumn::t:
             return row.t;
-        case Column::theta:
+        case TableColumn::theta:
             return row.theta;
-        case Column::omega:
+        case TableColumn::omega:
             return row.omega;
-        case Column::sine:
+        case TableColumn::sine:
             return sinusoid(run.solution, row.t);
-        case Column::exact:
+        case TableColumn::exact:
             return at_hand.theta[i];
-        case Column::error:
+        case TableColumn::error:
             return wrap(row.theta - at_hand.theta[i]);
-        case Column::energy:
+        case TableColumn::energy:
             return energy(run.problem.pendulum.alpha, {row.theta, row.omega});
-        case Column::turns:
+        case TableColumn::turns:
             return row.turns;
     }
     return NAN;
 }
 
-void put_rows(Writer& writer, const Block& at_hand, std::size_t n, const Trajectory& run, const std::vector<Column>& columns,
-              const RowStyle& style) {
+/// Whether a row's columns are all numbers: the motion is within the doubles, and the closed form at its time, where it is
+/// printed.
+bool is_finite(const Sample& row, double latest) {
+    return std::isfinite(row.theta) && std::isfinite(row.omega) && row.t <= latest;
+}
+
+/// Appends the rows up to the first that is not finite, and returns how many.
+std::size_t append_rows(Writer& writer, const Block& at_hand, std::size_t n, const Trajectory& run,
+                        const std::vector<TableColumn>& columns, const RowStyle& style) {
+    const double latest = std::ranges::any_of(columns, is_of_closed_form) ? latest_time(run.solution) : INFINITY;
     for (std::size_t i = 0; i < n; ++i) {
+        if (!is_finite(at_hand.rows[i], latest)) return i;
         char* end = room(writer, row_room);
         for (std::size_t c = 0; c < columns.size(); ++c) end = put_field(end, style, c, field(columns[c], at_hand, i, run));
         commit(writer, put_text(end, style.end));
     }
+    return n;
+}
+
+/// Ends a run whose next row, number `row` from 0, is not finite.
+[[noreturn]] void refuse_infinite(Writer& writer, const Prepared& prepared, double row) {
+    flush(writer);
+    throw Failure{
+        Status::bad_data,
+        prepared.source.place +
+            say({"from row {0} on, t = {1} s, the motion is out of the range of doubles; the rows before it are printed",
+                 "desde la fila {0}, t = {1} s, el movimiento se sale del rango de double; las filas anteriores están "
+                 "escritas"},
+                {shown(row + 1, full), shown(prepared.problem.schedule.time_of(row))})};
 }
 
 double fraction_done(const Trajectory& run) {
@@ -120,62 +121,44 @@ double fraction_done(const Trajectory& run) {
 
 }  // namespace
 
-RowStyle row_style(const std::vector<std::string_view>& names, Format format, int precision) {
-    const bool is_json = format == Format::json;
-    RowStyle style{{}, is_json ? "}\n" : "\n", is_json, precision};
-    for (const auto name : names) {
-        const bool is_first = style.leads.empty();
-        if (is_json)
-            style.leads.push_back((is_first ? "{\"" : ",\"") + std::string(name) + "\":");
-        else
-            style.leads.push_back(is_first ? "" : format == Format::csv ? "," : " ");
-    }
-    return style;
-}
-
-std::string json_string(std::string_view text) {
-    std::string escaped = "\"";
-    for (const char c : text) {
-        if (c == '"' || c == '\\') escaped += '\\';
-        escaped += c;
-    }
-    return escaped + '"';
-}
-
-char* put_text(char* at, std::string_view text) {
-    return static_cast<char*>(std::memcpy(at, text.data(), text.size())) + text.size();
-}
-
-char* put_field(char* at, const RowStyle& style, std::size_t field, double value) {
-    at = put_text(at, style.leads[field]);
-    return style.is_json && !std::isfinite(value) ? put_text(at, "null") : put_number(at, value, style.precision);
+void require_columns(const Prepared& prepared, const Layout& layout) {
+    Problem problem = prepared.problem;
+    problem.method = Method::exact;
+    for (const TableColumn column : layout.columns)
+        if (is_of_closed_form(column))
+            if (const auto refusal = check(problem))
+                refuse(prepared.source,
+                       say(refusal, "exact (--columns " + std::string(table_columns[static_cast<int>(column)].name) + ')'));
 }
 
 void print_table(Writer& writer, const Prepared& prepared, const Layout& layout, std::size_t number) {
     const auto columns = columns_of(layout, prepared.analysis);
+    const Format format = layout.style.format;
     std::vector<std::string_view> names;
     bool needs_exact = false;
-    for (const Column column : columns) {
-        names.push_back(column_names[static_cast<std::size_t>(column)]);
-        needs_exact |= column == Column::exact || column == Column::error;
+    for (const TableColumn column : columns) {
+        const auto i = static_cast<std::size_t>(column);
+        names.push_back(format == Format::text ? table_columns[i].header : table_columns[i].name);
+        needs_exact |= column == TableColumn::exact || column == TableColumn::error;
     }
-    const RowStyle style = row_style(names, layout.format, layout.precision);
-    if (layout.format == Format::json) {
-        put_problem(writer, prepared, number);
+    const RowStyle style = row_style(names, layout.style);
+    if (format == Format::json) {
+        append_problem(writer, prepared, number);
     } else {
-        if (number > 1) put(writer, "\n\n");  // gnuplot's index
-        put_header(writer, columns, layout.format);
+        if (number > 1) append(writer, "\n\n");  // gnuplot's index
+        append(writer, header_line(names, format));
     }
 
     Trajectory run = begin(prepared.problem);
     const auto at_hand = std::make_unique<Block>();
     const bool shares_terminal = isatty(writer.descriptor);
-    Progress progress;
+    ProgressLine progress;
     while (!run.is_finished()) {
-        const std::size_t n = advance(run, block, at_hand->rows, step_budget);
+        const std::size_t n = advance(run, at_hand->rows, step_budget);
         if (needs_exact) compute_exact(*at_hand, n, run.solution);
         if (n > 0 && shares_terminal) clear(progress);
-        put_rows(writer, *at_hand, n, run, columns, style);
+        if (const std::size_t finite = append_rows(writer, *at_hand, n, run, columns, style); finite < n)
+            refuse_infinite(writer, prepared, run.rows_done - static_cast<double>(n - finite));
         if (is_interrupted() || is_due(progress)) {
             flush(writer);
             show(progress, fraction_done(run));

@@ -1,50 +1,50 @@
-// Tables: which columns, spelled how, and the rows themselves.
+// The table of a solved problem: which columns, and its rows.
 #pragma once
 
-#include <string>
-#include <string_view>
+#include <array>
 #include <vector>
 
 #include "cli/problem.hpp"
+#include "cli/rows.hpp"
 #include "cli/writing.hpp"
 
 namespace pendula::cli {
 
-enum class Column { t, theta, omega, sine, exact, error, energy, turns };
-enum class Format { text, csv, json };
+enum class TableColumn { t, theta, omega, sine, exact, error, energy, turns };
 
-/// The words of --columns and --format, in the order of the enumerators.
-inline constexpr std::string_view column_names[] = {"t", "theta", "omega", "sine", "exact", "error", "energy", "turns"};
-inline constexpr std::string_view format_names[] = {"text", "csv", "json"};
-/// The words of --method, in the order of `Method`; those of the assignment's k from -1 to 1.
-inline constexpr std::string_view method_names[] = {"rk4", "euler", "verlet", "taylor", "exact"};
-inline constexpr std::string_view regime_names[] = {"oscillation", "separatrix", "rotation"};
+struct ColumnInfo {
+    const char* name;    ///< in --columns, csv and json
+    const char* header;  ///< in text: the assignment's words where it has them
+    Words meaning;
+};
+
+/// In the order of the enumerators.
+inline constexpr ColumnInfo table_columns[] = {
+    {"t", "t", {"time, s", "tiempo, s"}},
+    {"theta", "angulo", {"angle in [-π, π), rad", "ángulo en [-π, π), rad"}},
+    {"omega", "velocidad", {"angular velocity, rad/s", "velocidad angular, rad/s"}},
+    {"sine", "funcionSinusoidal", {"the sinusoid; nan where it does not oscillate", "la sinusoide; nan si no oscila"}},
+    {"exact", "exact", {"angle of the closed form", "ángulo de la solución exacta"}},
+    {"error", "error", {"theta less exact, in [-π, π)", "theta menos exact, en [-π, π)"}},
+    {"energy", "energy", {"ω²/2 + α(1 - cos θ), 1/s²", "ω²/2 + α(1 - cos θ), 1/s²"}},
+    {"turns", "turns", {"whole turns: θ + 2π turns counts them all", "vueltas enteras: θ + 2π turns las cuenta todas"}},
+};
+inline constexpr auto column_names = [] {
+    std::array<const char*, std::size(table_columns)> names{};
+    for (std::size_t i = 0; i < names.size(); ++i) names[i] = table_columns[i].name;
+    return names;
+}();
 
 struct Layout {
-    std::vector<Column> columns;  ///< empty for t, theta, omega, and sine where it oscillates
-    Format format = Format::text;
-    int precision = 6;
+    std::vector<TableColumn> columns;  ///< empty for t, theta, omega, and sine where it oscillates
+    Style style;
 };
 
-/// How rows are spelled.
-struct RowStyle {
-    std::vector<std::string> leads;  ///< what stands before each field
-    std::string_view end;
-    bool is_json;  ///< which knows no nan and no inf: they become null
-    int precision;
-};
+/// Refuses columns of the closed form for a pendulum that has none, or later than it is right.
+void require_columns(const Prepared& prepared, const Layout& layout);
 
-/// The style of rows whose fields have these names.
-RowStyle row_style(const std::vector<std::string_view>& names, Format format, int precision);
-
-/// The text in quotes, as JSON has it; it holds no control characters.
-std::string json_string(std::string_view text);
-
-char* put_text(char* at, std::string_view text);
-/// Writes field number `field` of a row, with what stands before it; returns the end.
-char* put_field(char* at, const RowStyle& style, std::size_t field, double value);
-
-/// Solves the problem, the `number`th from 1, and prints its table while it runs, and shows its progress.
+/// Solves the problem, the `number`th from 1, and prints its table while it runs, and shows its progress. Throws Failure with
+/// Status::bad_data where the motion leaves the doubles, behind the last row that is finite.
 void print_table(Writer& writer, const Prepared& prepared, const Layout& layout, std::size_t number);
 
 }  // namespace pendula::cli

@@ -12,6 +12,8 @@ namespace pendula::cli {
 
 namespace {
 
+constexpr int interruptions[] = {SIGINT, SIGTERM, SIGHUP};
+
 volatile std::sig_atomic_t was_signalled = 0;
 
 void write_to_terminal(const std::string& text) {
@@ -21,7 +23,7 @@ void write_to_terminal(const std::string& text) {
 }  // namespace
 
 void catch_interruptions() {
-    for (const int signal : {SIGINT, SIGTERM}) {
+    for (const int signal : interruptions) {
         struct sigaction former{}, action{};
         action.sa_handler = [](int) { was_signalled = 1; };
         action.sa_flags = static_cast<int>(SA_RESETHAND);
@@ -35,11 +37,10 @@ bool is_interrupted() { return was_signalled != 0; }
 
 void wait_for_input() {
     // Blocked but for the wait itself: a signal between the question and the wait would be lost otherwise.
-    sigset_t interruptions, former;
-    sigemptyset(&interruptions);
-    sigaddset(&interruptions, SIGINT);
-    sigaddset(&interruptions, SIGTERM);
-    sigprocmask(SIG_BLOCK, &interruptions, &former);
+    sigset_t blocked, former;
+    sigemptyset(&blocked);
+    for (const int signal : interruptions) sigaddset(&blocked, signal);
+    sigprocmask(SIG_BLOCK, &blocked, &former);
     fd_set input;
     FD_ZERO(&input);
     FD_SET(STDIN_FILENO, &input);
@@ -48,28 +49,33 @@ void wait_for_input() {
     if (is_interrupted()) throw Failure{Status::interrupted, {}};
 }
 
-Progress::~Progress() { clear(*this); }
+ProgressLine::~ProgressLine() { clear(*this); }
 
-bool is_due(const Progress& progress) { return Progress::Clock::now() >= progress.due; }
+bool is_due(const ProgressLine& line) { return ProgressLine::Clock::now() >= line.due; }
 
-void show(Progress& progress, double fraction) {
-    const auto now = Progress::Clock::now();
-    progress.due = now + std::chrono::milliseconds(200);
+void show(ProgressLine& line, double fraction) {
+    const auto now = ProgressLine::Clock::now();
+    line.due = now + std::chrono::milliseconds(200);
     if (!isatty(STDERR_FILENO)) return;
-    const double elapsed = std::chrono::duration<double>(now - progress.started).count();
-    const auto percent = std::to_string(static_cast<int>(100 * fraction));
-    std::string line = "\r\x1b[Kpendula: " + percent + " %";
+    const double elapsed = std::chrono::duration<double>(now - line.started).count();
+    std::string text = "\r\x1b[Kpendula: " + std::to_string(static_cast<int>(100 * fraction)) + " %";
     if (fraction > 0) {
         const auto left = std::to_string(static_cast<long long>(elapsed * (1 - fraction) / fraction) + 1);
-        line += say({", {0} s left", ", faltan {0} s"}, {left});
+        text += say({", {0} s left", ", faltan {0} s"}, {left});
     }
-    write_to_terminal(line);
-    progress.is_visible = true;
+    write_to_terminal(text);
+    line.is_visible = true;
 }
 
-void clear(Progress& progress) {
-    if (progress.is_visible) write_to_terminal("\r\x1b[K");
-    progress.is_visible = false;
+void clear(ProgressLine& line) {
+    if (line.is_visible) write_to_terminal("\r\x1b[K");
+    line.is_visible = false;
+}
+
+bool show_and_go_on(ProgressLine& line, double fraction) {
+    if (is_interrupted()) return false;
+    if (is_due(line)) show(line, fraction);
+    return true;
 }
 
 }  // namespace pendula::cli

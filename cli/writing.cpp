@@ -17,11 +17,22 @@ namespace {
 
 constexpr std::size_t capacity = 1 << 16;
 
+std::string name_of(const Writer& writer) {
+    return writer.path.empty() ? say({"standard output", "la salida estándar"}) : in_quotes(writer.path);
+}
+
 [[noreturn]] void fail(const Writer& writer, int error) {
     if (error == EPIPE) throw Failure{Status::done, {}};
-    const auto name = writer.path.empty() ? say({"standard output", "la salida estándar"}) : in_quotes(writer.path);
-    throw Failure{Status::not_written,
-                  say({"{0} could not be written: {1}", "no se ha podido escribir {0}: {1}"}, {name, reason(error)})};
+    throw Failure{Status::not_written, say({"{0} could not be written: {1}", "no se ha podido escribir {0}: {1}"},
+                                           {name_of(writer), reason(error)})};
+}
+
+/// Whether what is written would be read again, or takes the place of what is still to be read. Terminals, other devices and
+/// sockets have two directions.
+bool is_input(const struct stat& output) {
+    struct stat input{};
+    return fstat(STDIN_FILENO, &input) == 0 && input.st_dev == output.st_dev && input.st_ino == output.st_ino &&
+           !S_ISCHR(input.st_mode) && !S_ISSOCK(input.st_mode);
 }
 
 /// Takes `torn`, the bytes of an unfinished row, off the end of a regular file that nobody else has added to since.
@@ -52,12 +63,19 @@ std::size_t unfinished(const char* rows, std::size_t size) {
 void open(Writer& writer) {
     if (writer.descriptor >= 0) return;
     writer.buffer = std::make_unique_for_overwrite<char[]>(capacity);
-    if (writer.path.empty()) {
-        writer.descriptor = STDOUT_FILENO;
-    } else {
-        writer.descriptor = ::open(writer.path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-        if (writer.descriptor < 0) fail(writer, errno);
-    }
+    const bool is_named = !writer.path.empty();
+    // Not emptied before it is known to be another file than the one that is read.
+    writer.descriptor = is_named ? ::open(writer.path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666) : STDOUT_FILENO;
+    if (writer.descriptor < 0 && is_interrupted())
+        throw Failure{Status::interrupted, {}};  // as it waited for a reader of a pipe
+    if (writer.descriptor < 0) fail(writer, errno);
+    struct stat output{};
+    if (fstat(writer.descriptor, &output) != 0) return;  // write(2) will say why
+    if (is_input(output))
+        throw bad_usage({"{0} is what standard input is read from; write to another file",
+                         "{0} es de donde se lee la entrada estándar; escribe en otro fichero"},
+                        {name_of(writer)});
+    if (is_named && S_ISREG(output.st_mode) && ftruncate(writer.descriptor, 0) != 0) fail(writer, errno);
 }
 
 char* room(Writer& writer, std::size_t n) {
@@ -67,7 +85,7 @@ char* room(Writer& writer, std::size_t n) {
 
 void commit(Writer& writer, const char* end) { writer.size = static_cast<std::size_t>(end - writer.buffer.get()); }
 
-void put(Writer& writer, std::string_view lines) {
+void append(Writer& writer, std::string_view lines) {
     char* const at = room(writer, lines.size());
     std::memcpy(at, lines.data(), lines.size());
     commit(writer, at + lines.size());

@@ -1,4 +1,4 @@
-# The installed package: find_package(pendula) and pkg-config.
+# The installed package, for find_package(pendula) and pkg-config.
 include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
 
@@ -10,7 +10,7 @@ write_basic_package_version_file(package/pendula-config-version.cmake COMPATIBIL
 install(FILES ${PROJECT_BINARY_DIR}/package/pendula-config.cmake ${PROJECT_BINARY_DIR}/package/pendula-config-version.cmake
     DESTINATION ${package_dir})
 
-# Paths relative to the .pc file keep the installed tree movable.
+# Paths relative to the .pc file, so that the installed tree can be moved.
 file(RELATIVE_PATH pc_to_prefix /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
 configure_file(cmake/pendula.pc.in package/pendula.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/package/pendula.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)

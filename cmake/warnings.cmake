@@ -1,6 +1,7 @@
-# Warnings of our own targets. They stop a build only where CMAKE_COMPILE_WARNING_AS_ERROR is set: in the presets that developers use.
+# Warnings for the targets of pendula. They are errors only if CMAKE_COMPILE_WARNING_AS_ERROR is set, as in the presets for
+# developers.
 function(pendula_warnings target)
     target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow
-        -Wconversion -Wno-sign-conversion  # what g++ means by it, of clang too
-        -Wno-missing-field-initializers)   # what an initialiser leaves out has its default
+        -Wconversion -Wno-sign-conversion  # for clang: -Wconversion as g++ defines it
+        -Wno-missing-field-initializers)   # a member that an initialiser omits has its default
 endfunction()

@@ -2,7 +2,7 @@
 
 #include "pendula/analysis.hpp"
 #include "pendula/angle.hpp"
-#include "pendula/rk4.hpp"
+#include "pendula/steps.hpp"
 
 namespace pendula::actividad3 {
 

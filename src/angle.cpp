@@ -9,7 +9,7 @@ using namespace arithmetic;
 
 namespace {
 
-/// Angles of [-pi, pi) that round to `pi` are given as the double below it.
+/// The sum as an angle in [-pi, pi). A sum that rounds to `pi` gives the double below it.
 double round_into_interval(DoubleDouble<double> theta) noexcept {
     const double sum = theta.hi + theta.lo;
     return sum >= pi ? last_below_pi : sum < -pi ? -pi : sum;
@@ -19,7 +19,7 @@ double round_into_interval(DoubleDouble<double> theta) noexcept {
 
 double to_radians(double degrees) noexcept {
     const DoubleDouble<double> factor{pi_over_180_dd[0], pi_over_180_dd[1]};
-    const double power = abs(degrees) > 0x1p900 ? 0x1p-200 : 1.0;  // splitting would overflow
+    const double power = abs(degrees) > 0x1p900 ? 0x1p-200 : 1.0;  // the splitting of a larger number would overflow
     return (factor * (degrees * power)).hi / power;
 }
 

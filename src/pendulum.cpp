@@ -1,14 +1,15 @@
 #include "pendula/pendulum.hpp"
 
-#include "arithmetic/trigonometric.hpp"
+#include "kernels/equation.hpp"
 
 namespace pendula {
 
 using namespace arithmetic;
 
 double acceleration(const Pendulum& p, State state, double t) noexcept {
-    const double drive = p.drive_amplitude == 0 ? 0.0 : p.drive_amplitude * cos(p.drive_frequency * t + p.drive_phase);
-    return -p.alpha * sin(state.theta) - p.beta * state.omega + p.torque + drive;
+    const auto k = kernels::terms(__builtin_bit_cast(kernels::Parameters<double>, p), 1.0);
+    const double cosine = is_driven(p) ? cos(p.drive_frequency * t + p.drive_phase) : 0.0;
+    return kernels::acceleration(k, kernels::acting<kernels::Forcing::shaken>(k, cosine), sin(state.theta), state.omega);
 }
 
 double energy(double alpha, State state) noexcept {

@@ -16,7 +16,7 @@ ctx.prec = 2400
 random.seed(20260103)
 
 
-SEARCHED = [(float.fromhex("-0x1.f9e795dcf9bacp-3"), 1.0)]  # the largest error of phase among a million
+SEARCHED = [(float.fromhex("-0x1.f9e795dcf9bacp-3"), 1.0)]  # the argument with the largest error of phase among a million
 
 
 def angles() -> list[float]:
@@ -47,7 +47,7 @@ def phase(s: float, r: float) -> arb:
 
 
 def main():
-    print("# Made by tools/make_angle.py, with the command that stands there; do not edit.")
+    print("# Made by tools/make_angle.py, which states the command; do not edit.")
     print("# wrap theta value turns | to_radians degrees value | phase s r value     values are pairs: nearest double and rest")
     for theta in angles():
         value, turns = wrap(arb(theta))

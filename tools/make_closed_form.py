@@ -31,7 +31,7 @@ def stiffness() -> float:
 
 
 def with_complement(alpha: float, theta: float, kappa1: float) -> float:
-    """A velocity that leaves cos^2(theta/2) - omega^2/(4 alpha) = kappa1, or nan."""
+    """The velocity for which cos^2(theta/2) - omega^2/(4 alpha) = kappa1, of either sign, or nan if there is none."""
     square = arb(alpha) * ((arb(theta) / 2).cos() ** 2 - arb(kappa1))
     return sign() * 2 * nearest(exact(square.sqrt())) if square > 0 else math.nan
 
@@ -138,7 +138,7 @@ NAMED = [
     (1.0, 1.0, 2.0**511),
 ]
 
-# Cases, and whether their distance from the separatrix is to be beyond doubt: the rule is about whole ulps.
+# Kinds of cases, and how many of each.
 GROUPS = [
     (oscillation, 300),
     (small, 200),
@@ -154,6 +154,7 @@ GROUPS = [
 
 
 def is_clear(m, name: str) -> bool:
+    """Whether the regime is certain: well inside, or well outside, the one ulp by which the separatrix is defined."""
     return m.nearness < 0.4 if name == "separatrix" else m.nearness > 4
 
 
@@ -170,7 +171,7 @@ def cases():
 
 
 def short(t: float) -> float:
-    """t to 20 bits: any time will do, and it reads better."""
+    """t rounded to 20 bits, which makes the table shorter."""
     mantissa, exponent = math.frexp(t)
     return math.ldexp(round(math.ldexp(mantissa, 20)), exponent - 20)
 
@@ -186,7 +187,7 @@ def times(name: str, number: int, tau: float) -> list[float]:
 
 
 def header():
-    print("# Made by tools/make_closed_form.py, with the command that stands there; do not edit.")
+    print("# Made by tools/make_closed_form.py, which states the command; do not edit.")
     print("# case GROUP alpha theta omega k theta_max tau      numbers after k are pairs: the nearest double and the rest")
     print("# at t theta omega turns                            theta in [-pi, pi); theta and omega are pairs")
 
@@ -203,7 +204,7 @@ def table():
 
 
 def verify():
-    """Every 50th case against Taylor series of order 40 in time, over a few units of 1/sqrt(alpha), in 70 digits."""
+    """Compares every 50th case with Taylor series of order 40 in time, over a few units of 1/sqrt(alpha), in 70 digits."""
     from mpmath import mp, mpf
     from taylor_check import integrate
 
@@ -218,7 +219,7 @@ def verify():
         t = 7.0 / max(math.sqrt(case[0]), abs(case[2]))
         theta, omega, n = solution.at(t)
         want = as_mp(theta) + 2 * mp.pi * n
-        got, speed = integrate(*map(mpf, case), mpf(t))
+        got, speed = integrate(*map(mpf, (*case, t)))
         size = max(abs(as_mp(solution.motion.theta_max)), mpf(0))
         error = max(
             abs(got - want) / (size or 1), abs(speed - as_mp(omega)) / (2 * mp.sqrt(case[0]) * size + abs(case[2]) or 1)

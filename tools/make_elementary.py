@@ -10,7 +10,7 @@ from fractions import Fraction
 from flint import acb, arb, ctx
 from reference_table import exact, nearest, pair, text
 
-ctx.prec = 2400  # a huge argument of sin loses 1,024 bits to the turns in it, and a hard one 60 more
+ctx.prec = 2400  # reducing a huge argument of sin takes 1,024 bits, and up to 60 more where the result is small
 random.seed(20260102)
 uniform = random.uniform
 TINY, HUGE = 5e-324, math.nextafter(math.inf, 0)
@@ -21,9 +21,9 @@ def power(low: float, high: float) -> float:
 
 
 def near_quarter_turns(exponent: int) -> float:
-    """Of all m 2^exponent with m < 2^53, the double nearest, relatively, to a multiple of pi/2: by continued fractions."""
+    """The double m 2^exponent, m < 2^53, with the smallest relative distance to a multiple of pi/2, by continued fractions."""
     x = exact(arb(2) ** exponent * 2 / arb.pi())
-    before, last = 0, 1  # denominators of convergents of x
+    before, last = 0, 1  # denominators of two successive convergents of x
     while last < 2**53:
         best, x = last, 1 / (x - x.numerator // x.denominator)
         before, last = last, x.numerator // x.denominator * last + before
@@ -146,7 +146,7 @@ def halves() -> list[float]:
     )
 
 
-# The largest errors among a million random arguments, found by a search against 113-bit arithmetic.
+# The arguments with the largest errors among a million random ones, found by comparison with 113-bit arithmetic.
 SEARCHED = {
     "sincos": ["0x1.f08fe82d23e4p+1", "0x1.f243e4b13b533p+1", "-0x1.2b3846de3795ep+41", "-0x1.fb502b924669dp+1"],
     "exp": ["-0x1.b68e7a9c3eb9bp+0", "0x1.24865fe17307p+6"],
@@ -158,9 +158,9 @@ SEARCHED = {
 }
 SEARCHED_ATAN2 = [("-0x1.6158f0f5b9764p-1", "-0x1.2d41c01b81fep-2")]
 SEARCHED_RF = [
-    ("0", "0x1.fa010bcd2781dp-88", "1"),
-    ("0x1.eabd359094297p-94", "0x1.f3090ff2eb4e3p-85", "1"),
-    ("0x1.069813d0d07cp-78", "0x1.83df19651a7cep-42", "1"),
+    ("0", "0x1.fa010bcd2781dp-88"),
+    ("0x1.eabd359094297p-94", "0x1.f3090ff2eb4e3p-85"),
+    ("0x1.069813d0d07cp-78", "0x1.83df19651a7cep-42"),
 ]
 
 
@@ -169,19 +169,19 @@ def searched(name: str) -> list[float]:
 
 
 def triples() -> list[tuple[float, float, float]]:
-    """Of R_F, as the closed form has them: the last is 1."""
+    """Arguments of R_F as they occur in the closed form: the last is 1."""
     some = [(abs(power(-32, 0)), abs(power(-32, 0)), 1.0) for _ in range(60)] + [
         (0.0, abs(power(-32, 0)), 1.0) for _ in range(40)
     ]
     return (
         some
         + [(x, 1 - x * uniform(0, 1), 1.0) for x in (uniform(0, 1) for _ in range(60))]
-        + [tuple(map(float.fromhex, t)) for t in SEARCHED_RF]
+        + [(float.fromhex(x), float.fromhex(y), 1.0) for x, y in SEARCHED_RF]
     )
 
 
 def full(x: arb) -> str:
-    """Two whole doubles."""
+    """The value as a sum of two full doubles."""
     hi = nearest(exact(x))
     return f"{text(hi)} {text(nearest(exact(x) - Fraction(hi)))}"
 
@@ -191,13 +191,13 @@ def cos_of_half_turn(f: float) -> arb:
 
 
 def main():
-    print("# Made by tools/make_elementary.py, with the command that stands there; do not edit.")
+    print("# Made by tools/make_elementary.py, which states the command; do not edit.")
     print("# FUNCTION argument... value...     values are pairs: the nearest double and the rest to 9 bits")
     xs = angles() + searched("sincos")
     for x in xs:
         print("sincos", text(x), pair(arb(x).sin()), pair(arb(x).cos()))
     for x in xs[::4]:
-        print("sincos_double_double", text(x), full(arb(x).sin()), full(arb(x).cos()))  # two whole doubles each
+        print("sincos_double_double", text(x), full(arb(x).sin()), full(arb(x).cos()))
     for f in halves() + searched("sincos_of_half_turn"):
         print("sincos_of_half_turn", text(f), pair(arb(f).sin_pi()), pair(cos_of_half_turn(f)))
     for name, xs, f in (

@@ -22,14 +22,15 @@ def cut(alpha: float, theta: float, omega: float, epsilon: float) -> arb:
 
 
 def main():
-    print("# Made by tools/make_series.py, with the command that stands there; do not edit.")
+    print("# Made by tools/make_series.py, which states the command; do not edit.")
     print("# alpha theta omega epsilon value     the least N is the value rounded up; a pair: nearest double and rest")
     cases = NAMED + [make() for make in (oscillation, small, rotation, near) for _ in range(25)]
     for case in cases:
-        if case[1] == case[2] == 0 or case[2] != case[2] or motion(*case).regime == SEPARATRIX:
+        alpha, theta, omega = case
+        if theta == omega == 0 or omega != omega or motion(*case).regime == SEPARATRIX:
             continue
         for epsilon in (1e-7, 1e-15):
-            print(*map(text, case), text(epsilon), pair(cut(*case, epsilon)))
+            print(*map(text, case), text(epsilon), pair(cut(alpha, theta, omega, epsilon)))
 
 
 if __name__ == "__main__":

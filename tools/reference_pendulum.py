@@ -1,7 +1,8 @@
-"""The frictionless pendulum in ball arithmetic (Arb): the oracle of tests/data/closed_form.txt.
+"""The frictionless pendulum in ball arithmetic (Arb): the reference solution for tests/data/closed_form.txt.
 
-Doubles go in as exact numbers. Jacobi's functions come from theta functions, as in DLMF 22.2, with K and K' from the
-arithmetic-geometric mean of the moduli themselves, so that neither of them is ever 1 - (something near 1).
+The arguments are doubles and are taken as exact. Jacobi's elliptic functions are computed from theta functions, as in
+DLMF 22.2. K and K' are computed from the complementary modulus k' and from k by the arithmetic-geometric mean. Both moduli
+are computed directly, and neither from the other.
 """
 
 import math
@@ -19,7 +20,7 @@ class Motion:
     regime: int
     theta_max: arb
     tau: arb
-    nearness: float  # |alpha kappa'| in units of what one ulp of theta, omega and alpha can move it
+    nearness: float  # |alpha kappa'|, divided by its change for one ulp of theta, omega and alpha
 
 
 def atan2(y: arb, x: arb) -> arb:
@@ -27,7 +28,7 @@ def atan2(y: arb, x: arb) -> arb:
 
 
 def floor(x: arb) -> int:
-    """Of the midpoint: where x may be either side of an integer, either is a right number of turns."""
+    """The floor of the midpoint. If the ball of x contains an integer, either number of turns is correct."""
     return int(x.mid().floor().unique_fmpz())
 
 
@@ -42,7 +43,7 @@ def complement(alpha: float, theta: float, omega: float) -> arb:
 
 
 def movable(alpha: float, theta: float, omega: float) -> arb:
-    """What one ulp of theta, omega and alpha moves the complement by, to first and second order."""
+    """The change of the complement for one ulp of theta, omega and alpha, to first and second order."""
     a, th, w = arb(alpha), arb(theta), arb(omega)
     d_theta, d_omega, d_alpha = (arb(math.ulp(x)) for x in (theta, omega, alpha))
     return (
@@ -72,7 +73,7 @@ def motion(alpha: float, theta: float, omega: float) -> Motion:
 
 
 def time_to_top(alpha: float, theta: float, omega: float) -> arb:
-    """(3.5); 10/sqrt(alpha) at rest on top and past 0.999 theta_max."""
+    """The time (3.5), or 10/sqrt(alpha) at rest at the top or beyond 0.999 theta_max."""
     limit = arb(999) / 1000 * arb.pi()
     start = wrap(arb(theta))[0] * (1 if omega >= 0 else -1)
     if omega == 0 or start >= limit:
@@ -81,7 +82,7 @@ def time_to_top(alpha: float, theta: float, omega: float) -> arb:
 
 
 class Solution:
-    """theta in [-pi, pi), omega and whole turns at any time."""
+    """The motion: theta in [-pi, pi), omega and whole turns at any time."""
 
     def __init__(self, alpha: float, theta: float, omega: float):
         self.alpha, self.theta, self.omega = alpha, theta, omega

@@ -1,15 +1,15 @@
-"""How reference tables write numbers: C99 hex floats, and a true value as the double nearest to it plus what is left."""
+"""The format of numbers in reference tables: C99 hex floats; a true value is the nearest double and the remainder."""
 
 import math
 from fractions import Fraction
 
 from flint import arb
 
-REST_BITS = 9  # of the second double: errors are measured to 2^-10 ulp
+REST_BITS = 9  # of the remainder, so that errors can be measured to 2^-10 ulp
 
 
 def exact(x: arb) -> Fraction:
-    """The midpoint of a ball, which must be known well past the digits that a table keeps."""
+    """The midpoint of a ball, as a fraction. The ball must have many more good digits than the table keeps."""
     if not x.is_exact() and not x.is_zero() and x.rel_accuracy_bits() < 100:
         raise ValueError(f"too few good digits: {x}")
     mantissa, exponent = x.mid().man_exp()
@@ -18,7 +18,7 @@ def exact(x: arb) -> Fraction:
 
 
 def nearest(x: Fraction) -> float:
-    """Rounded to nearest, to infinity where it overflows."""
+    """The nearest double, or infinity on overflow."""
     try:
         return x.numerator / x.denominator
     except OverflowError:
@@ -37,7 +37,7 @@ def text(x: float) -> str:
 
 
 def pair(x: arb | Fraction | int | float) -> str:
-    """`hi lo` with hi the nearest double and lo the rest, rounded to REST_BITS bits."""
+    """`hi lo`, where hi is the nearest double and lo the remainder rounded to REST_BITS bits."""
     if isinstance(x, float) and not math.isfinite(x):
         return f"{text(x)} 0"
     value = exact(x) if isinstance(x, arb) else Fraction(x)

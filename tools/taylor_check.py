@@ -1,10 +1,10 @@
-"""The pendulum's equation by Taylor series in time: shares nothing with the closed form but the equation."""
+"""The pendulum by Taylor series in time, to check the closed form: the two have only the equation in common."""
 
 from mpmath import mpf, sqrt
 
 
 def coefficients(alpha, theta, omega, order):
-    """theta(t0 + h) = sum of x[n] h^n, from the recurrences of s = sin theta and c = cos theta."""
+    """The coefficients x of theta(t0 + h) = sum of x[n] h^n, by recurrences for s = sin theta and c = cos theta."""
     from mpmath import cos, sin
 
     x, s, c = [theta, omega], [sin(theta)], [cos(theta)]
@@ -16,7 +16,7 @@ def coefficients(alpha, theta, omega, order):
 
 
 def integrate(alpha, theta, omega, t, order=40):
-    """(theta, omega) at t; the series converges to about 1.5/sqrt(alpha), and to less where the pendulum is fast."""
+    """(theta, omega) at time t. The radius of convergence is about 1.5/sqrt(alpha), and smaller for a fast pendulum."""
     steps = int(abs(t) * 5 * (sqrt(alpha) + abs(omega))) + 1
     h = mpf(t) / steps
     for _ in range(steps):

@@ -1,46 +1,52 @@
 // Regime, amplitude and characteristic time of the frictionless pendulum (assignment 3.2, 3.5 to 3.9).
 #pragma once
 
-#include "pendula/pendulum.hpp"
+#include "pendula/control.hpp"
 
 namespace pendula {
 
-/// The kinds of motion; the values are the assignment's k.
+/// The kinds of motion. The values are those of the assignment's k.
 enum class Regime : int { oscillation = -1, separatrix = 0, rotation = 1 };
 
-/// What a conservative pendulum does.
+/// The regime of a conservative pendulum, and its two characteristic numbers.
 struct Analysis {
     Regime regime = Regime::oscillation;
-    double theta_max = 0;  ///< limit angle [rad]: the amplitude in (0, pi), or pi; -pi on the separatrix for omega < 0
-    double tau = 0;        ///< characteristic time [s]: the period, or the time to 0.999 theta_max on the separatrix
+    double theta_max = 0;  ///< limit angle [rad]: the amplitude, in [0, pi]; pi for a rotation; pi or -pi on the separatrix
+    double tau = 0;        ///< characteristic time [s]: the period; on the separatrix the time to 0.999 theta_max
 };
 
-/// Regime, amplitude and characteristic time, by the arithmetic-geometric mean.
+/// Regime, amplitude and characteristic time, by the arithmetic-geometric mean (DLMF 19.8).
 ///
-/// Works on the energies alpha sin^2(theta/2) + omega^2/4 and alpha cos^2(theta/2) - omega^2/4 in double-double, so it is
-/// right however near the separatrix. The regime is the separatrix when the second is zero within what one unit in the last
-/// place of theta, omega and alpha can move it. At rest on top, or past 0.999 pi on the way up, tau is 10/sqrt(alpha).
+/// In units of 2 m l^2 the energy is alpha sin^2(theta/2) + omega^2/4, and the energy that is missing to reach the top is alpha
+/// cos^2(theta/2) - omega^2/4. Both are computed in double-double, so that the result is right close to the separatrix too. The
+/// regime follows from the sign of the missing energy. It is the separatrix if a change of theta, omega and alpha by one unit
+/// in the last place could make the missing energy zero.
 ///
-/// alpha [s^-2]: positive and finite; initial: finite, theta not wrapped. theta_max and tau within 4 ulp.
-/// Arguments outside give NaN in both.
+/// alpha [s^-2]: positive and finite; initial: finite, theta need not be wrapped. On the separatrix theta_max has the sign of
+/// omega (0 counts as positive). At rest at the top, or already past 0.999 theta_max, tau is 10/sqrt(alpha) by convention.
+/// theta_max and tau are within 4 ulp (tests/cpp/analysis_test.cpp). Arguments outside their intervals give NaN in both.
 Analysis analyze(double alpha, State initial) noexcept;
 
-/// The unit of time that factors count in [s]: tau of `analyze` for a conservative pendulum; with friction or forcing the
-/// period of the drive, where there is one, or 2 pi/sqrt(alpha). Within 4 ulp; NaN where `analyze` gives NaN.
+/// The characteristic time [s], the unit of the times that are given as factors. For a conservative pendulum it is tau of
+/// `analyze`. Otherwise it is the period of the drive if there is a drive or a shaken pivot, and 2 pi/sqrt(alpha) if there is
+/// none. Arguments as for `analyze`. Within 4 ulp; NaN where `analyze` gives NaN.
 double characteristic_time(const Pendulum& pendulum, State initial) noexcept;
 
-/// Whether a pendulum without torque and drive starts at rest on top, as far as its angle can tell: friction or not, it stays.
+/// Whether the pendulum starts at rest at the top, to the precision of its initial angle, and stays there: omega is 0, there is
+/// no torque and no drive, and `analyze` finds the separatrix. Friction and a shaken pivot do not move it.
 bool rests_on_top(const Pendulum& pendulum, State initial) noexcept;
 
-/// How many terms of the assignment's series (3.6) its cut (3.9) asks for, for a relative error below epsilon in (0, 1) of
-/// the period. 0 on the separatrix, where (3.5) needs no series. NaN for arguments outside.
+/// The smallest N that satisfies (3.9): the number of terms after the first that the series (3.6) needs for a relative error of
+/// the period below epsilon, which lies in (0, 1). 0 on the separatrix, where (3.5) needs no series. Arguments outside their
+/// intervals give NaN.
 double series_terms(double alpha, State initial, double epsilon) noexcept;
 
-/// The most terms that `analyze_by_series` will sum.
+/// The largest number of terms that `analyze_by_series` sums.
 inline constexpr double series_terms_limit = 1e9;
 
-/// `analyze` with the period summed by the assignment's series (3.6), (3.7) up to its cut (3.9).
-/// tau is NaN where `series_terms` exceeds `series_terms_limit`.
-Analysis analyze_by_series(double alpha, State initial, double epsilon) noexcept;
+/// Computes the same as `analyze`, with the period from the series (3.6), (3.7), summed up to the N of (3.9). Refused if an
+/// argument is outside its interval or if `series_terms` is larger than `series_terms_limit`.
+Outcome analyze_by_series(double alpha, State initial, double epsilon, Analysis& analysis,
+                          const Control& control = {}) noexcept;
 
 }  // namespace pendula

@@ -1,48 +1,35 @@
-// Many trajectories at once: structure of arrays in, rows out, on every core.
+// Many trajectories at once, on several threads: columns of parameters in, rows of states out.
 #pragma once
 
 #include <span>
 
+#include "pendula/control.hpp"
 #include "pendula/solve.hpp"
 
 namespace pendula {
 
-/// Pendulums and their initial states, one value each or one for all: every span has 1 or `size` elements.
-/// Symbols, units and intervals are those of `Pendulum` and `State`.
-struct Ensemble {
-    std::size_t size = 0;
-    std::span<const double> theta, omega;
-    std::span<const double> alpha, beta, torque, drive_amplitude, drive_frequency, drive_phase;
-};
-
-/// When members are looked at [s]: row j of a member is at first + j every, the start being t = 0. Spans have 1 or `size`
-/// elements; `first` >= 0, `every` > 0.
+/// The times of the rows [s]: row j of a member is at first + j every. The member starts at t = 0.
 struct EnsembleTimes {
-    std::span<const double> first, every;
-    std::size_t rows = 1;
-    double steps_per_row = 1;  ///< of rk4: equal steps from row to row, and from the start to a first row later than it
+    Column first = 0.0;           ///< >= 0
+    Column every = 1.0;           ///< > 0; not used if there is only one row
+    std::size_t rows = 1;         ///< >= 1
+    Column steps_to_first = 1.0;  ///< number of equal steps from the start to the first row, if first > 0; a whole number >= 1
+    Column steps_per_row = 1.0;   ///< number of equal steps between rows; a whole number >= 1
 };
 
-/// How a long call is run.
-struct Control {
-    int threads = 0;                                                 ///< 0: as many as there are processors
-    bool (*proceed)(void* context, double done) noexcept = nullptr;  ///< told the fraction done; false stops the call
-    void* context = nullptr;
-};
-
-/// Where rows go: arrays of rows x size values, row by row. theta in [-pi, pi) [rad], omega [rad/s], whole turns.
+/// The arrays that receive the rows: rows x size values each, row by row. theta in [-pi, pi) [rad], omega [rad/s], whole turns.
 struct EnsembleRows {
-    double* theta = nullptr;
-    double* omega = nullptr;
-    double* turns = nullptr;
+    std::span<double> theta, omega, turns;
 };
 
-/// Solves every member by `rk4`, `taylor` (to `tolerance`) or `exact` and returns whether the call ran to its end.
+/// Computes the rows of every member by the given method. `tolerance` is used by `taylor` only.
 ///
-/// A member's bits depend on its own parameters only, not on its neighbours, the number of threads or the instruction set,
-/// and are those of `advance`. A member that diverges or is not legal becomes NaN in its own places.
-/// Memory is the rows and a constant for each thread.
-bool solve(const Ensemble& ensemble, Method method, double tolerance, const EnsembleTimes& times, const Control& control,
-           const EnsembleRows& rows) noexcept;
+/// A member's bits are those of `advance` (solve.hpp) for that member alone. They do not depend on the other members, the
+/// number of threads or the instruction set (tests/cpp/ensemble_test.cpp). Where a member's motion overflows, its own values
+/// become NaN and no others. The whole call is refused if a member, the length of a column or of a result, a count, or the
+/// method is not legal. Besides the rows, memory is constant for each thread; where numbers of steps are given member by
+/// member, `rk4` also sorts the members, which takes 8 bytes for each.
+Outcome solve(const Ensemble& ensemble, Method method, double tolerance, const EnsembleTimes& times, const EnsembleRows& rows,
+              const Control& control = {}) noexcept;
 
 }  // namespace pendula

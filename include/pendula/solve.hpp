@@ -1,69 +1,64 @@
-// One trajectory, sampled: which rows there are, how many steps lie between them, and the rows themselves as a stream.
+// One trajectory, sampled at the times of a schedule: all rows at once, or a few at a time in constant memory.
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
+#include <span>
+#include <vector>
 
 #include "pendula/exact.hpp"
+#include "pendula/parameters.hpp"
+#include "pendula/schedule.hpp"
 #include "pendula/taylor.hpp"
 
 namespace pendula {
 
 enum class Method { rk4, euler, verlet, taylor, exact };
 
-/// When to step and when to report [s]; all positive.
-struct Times {
-    double dt = 0;     ///< the longest step
-    double every = 0;  ///< between rows
-    double until = 0;  ///< the last row is at or before it
-};
+/// The names of the methods, in the order of the enumerators.
+inline constexpr const char* method_names[] = {"rk4", "euler", "verlet", "taylor", "exact"};
 
-/// Rows and steps that follow from `Times`: rows at t_j = j every exactly, m equal steps between rows.
-/// Counts are doubles so that too large ones can be told; see `Schedule::is_feasible`.
-struct Schedule {
-    double every = 0;
-    double rows = 0;           ///< floor(until/every) + 1, with a relative slack of 1e-9
-    double steps_per_row = 0;  ///< ceil(every/dt), same slack
-    double step = 0;           ///< every/steps_per_row, at most dt
+/// Whether the user chooses the step of a method: `taylor` chooses its own, and `exact` has none.
+constexpr bool takes_steps(Method method) noexcept { return method != Method::taylor && method != Method::exact; }
 
-    double steps() const noexcept { return (rows - 1) * steps_per_row; }
-    /// At most 2^53 rows and 2^53 steps.
-    bool is_feasible() const noexcept;
-};
-
-/// The schedule of positive, finite times.
-Schedule schedule(const Times& times) noexcept;
-
-/// A problem: what swings, from where, how it is solved and when it is looked at.
+/// A problem: pendulum, initial state, method, and the times of the rows.
 struct Problem {
     Pendulum pendulum;
     State initial;
     Method method = Method::rk4;
     Schedule schedule;
-    double tolerance = 1e-15;  ///< of `taylor`
+    double tolerance = 1e-15;  ///< for method `taylor`, in (0, 1)
 };
 
-/// A run in progress; memory does not grow with its length. Start it with `begin`.
+/// Why a problem cannot be solved, or no refusal: an illegal parameter or schedule; a method that does not apply (`exact` needs
+/// a conservative pendulum and times up to `latest_time`, `verlet` a pendulum without friction); or steps too long for the
+/// friction. `euler` needs beta h <= 2 and `rk4` beta h <= 2.78; with longer steps rounding errors grow without bound.
+Refusal check(const Problem& problem) noexcept;
+
+/// All rows. Throws std::invalid_argument with the reason if the problem is refused, and std::bad_alloc if the rows do not fit
+/// in memory.
+std::vector<Sample> solve(const Problem& problem);
+
+/// The state of a run. Its memory does not grow with the length of the run. It is made by `begin`.
 struct Trajectory {
     Problem problem;
-    Exact solution;               ///< of a conservative pendulum
-    Taylor taylor;                ///< where that is the method
-    double theta = 0, omega = 0;  ///< at the last step, theta in [-pi, pi)
-    double turns = 0;
-    double theta_lo = 0, omega_lo = 0;  ///< what rounding has kept out of them
-    double rows_done = 0;               ///< rows delivered
-    double steps_done = 0;              ///< steps taken since the last row
-    bool is_resting = false;            ///< at rest on top, as far as the initial values can tell: every row is the first
+    Refusal refusal;          ///< why the problem is refused; such a run has no rows
+    Exact solution;           ///< for a conservative pendulum
+    Taylor taylor;            ///< for method `taylor`
+    Motion motion;            ///< for the other methods: the state after the last step
+    double rows_done = 0;     ///< rows returned so far
+    double steps_done = 0;    ///< steps taken since the last row
+    bool is_resting = false;  ///< `rests_on_top`: every row is the first
 
-    bool is_finished() const noexcept { return rows_done >= problem.schedule.rows; }
+    bool is_finished() const noexcept { return refusal || rows_done >= problem.schedule.rows; }
 };
 
-/// Puts a trajectory at its first row. Takes valid problems only (see validate.hpp).
+/// The state of a run before its first row.
 Trajectory begin(const Problem& problem) noexcept;
 
-/// Computes up to n further rows into `rows` and returns how many, taking at most about `step_budget` steps, so that a
-/// caller can stop, report or go on between calls: 0 rows only says that the budget ran out. The bits of the rows depend
-/// neither on n nor on the budget.
-std::size_t advance(Trajectory& trajectory, std::size_t n, Sample* rows, double step_budget) noexcept;
+/// Computes the next rows and returns how many: at most as many as `rows` holds, with at most about `step_budget` steps. So the
+/// caller can stop, report progress or continue between calls. A return value of 0 for an unfinished run means only that the
+/// budget was used up. The bits of the rows depend neither on the length of `rows` nor on the budget
+/// (tests/cpp/solve_test.cpp).
+[[nodiscard]] std::size_t advance(Trajectory& trajectory, std::span<Sample> rows, double step_budget) noexcept;
 
 }  // namespace pendula

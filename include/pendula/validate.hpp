@@ -1,4 +1,4 @@
-// What is legal: the rules that every boundary (program, Python, browser, C++ callers) applies before it calls the core.
+// Refusals as sentences, and as exceptions. Only these functions and `solve(Problem)` throw.
 #pragma once
 
 #include <string>
@@ -7,31 +7,17 @@
 
 namespace pendula {
 
-/// The intervals that arguments lie in.
-enum class Rule {
-    finite,        ///< any finite number
-    positive,      ///< finite and > 0
-    not_negative,  ///< finite and >= 0
-    fraction,      ///< in (0, 1)
-};
+enum class Language { en, es };
 
-bool satisfies(Rule rule, double value) noexcept;
+/// A sentence that describes a refusal, for example "alpha must be positive and finite, got -1". For a member of an ensemble it
+/// ends with the number of the member. `name` replaces the name of the argument, for callers that spell it in another way, such
+/// as the options of the program.
+std::string describe(const Refusal& refusal, Language language = Language::en, const std::string& name = {});
 
-/// "alpha must be positive and finite, got -1".
-std::string complaint(const std::string& name, double value, Rule rule);
+/// Throws std::invalid_argument with the description of the refusal, if there is one.
+void require(const Refusal& refusal);
 
-/// Throws std::invalid_argument with `complaint` unless the value satisfies the rule.
-void require(const std::string& name, double value, Rule rule);
-
-/// Throws std::invalid_argument naming the first parameter outside its interval, its value and what is legal.
-void validate(const Pendulum& pendulum);
-
-/// The same for a whole problem: parameters, initial state, schedule, and a method that can do what is asked
-/// (`exact` needs a conservative pendulum, `verlet` one without friction).
-void validate(const Problem& problem);
-
-/// The same for what the measures take of one member: parameters, counts, a method that they know, and steps short enough for
-/// `rk4` to be stable (see `fewest_steps`).
-void validate(const Pendulum& pendulum, const Strobe& strobe);
+/// Throws if the outcome is a refusal; otherwise returns whether the call is done, true, or was stopped, false.
+bool require(const Outcome& outcome);
 
 }  // namespace pendula

@@ -3,8 +3,10 @@
 
 #include <array>
 #include <span>
+#include <tuple>
 #include <utility>
 
+#include "calls.hpp"
 #include "numpy.hpp"
 
 namespace pendula::python {
@@ -25,11 +27,13 @@ void move(Places<K>& at, const Axis<K>& axis, Py_ssize_t n = 1) {
     for (std::size_t k = 0; k < K; ++k) at[k] += n * axis.step[k];
 }
 
-/// Calls visit(places) for every index of the axes, the last one fastest.
+/// Calls visit(places) for every index of the axes, the last one fastest, as long as it returns true.
 template <std::size_t K, class Visit>
-void walk(std::span<const Axis<K>> axes, Places<K> at, const Visit& visit) {
+bool walk(std::span<const Axis<K>> axes, Places<K> at, const Visit& visit) {
     if (axes.empty()) return visit(at);
-    for (Py_ssize_t i = 0; i < axes[0].length; ++i, move(at, axes[0])) walk(axes.subspan(1), at, visit);
+    for (Py_ssize_t i = 0; i < axes[0].length; ++i, move(at, axes[0]))
+        if (!walk(axes.subspan(1), at, visit)) return false;
+    return true;
 }
 
 /// Arrays need not be aligned.
@@ -46,22 +50,16 @@ template <std::size_t In, std::size_t Out>
 struct Broadcast {
     static constexpr std::size_t count = In + Out;
 
-    std::array<Operand, In> inputs;
+    std::array<const Reals*, In> inputs;
     Shape shape;
     std::array<Output, Out> outputs;
 
-    explicit Broadcast(const std::array<nb::handle, In>& arguments)
+    explicit Broadcast(const std::array<const Reals*, In>& arguments)
         : Broadcast(arguments, std::make_index_sequence<In>(), std::make_index_sequence<Out>()) {}
-
-    Py_ssize_t size() const {
-        Py_ssize_t product = 1;
-        for (const Py_ssize_t length : shape) product *= length;
-        return product;
-    }
 
     Places<count> start() {
         Places<count> places;
-        for (std::size_t k = 0; k < In; ++k) places[k] = inputs[k].data();
+        for (std::size_t k = 0; k < In; ++k) places[k] = const_cast<char*>(inputs[k]->data());  // never written to
         for (std::size_t k = 0; k < Out; ++k) places[In + k] = outputs[k].data();
         return places;
     }
@@ -74,7 +72,7 @@ struct Broadcast {
         for (int d = ndim; d-- > 0;) {
             Axis<count> axis{shape[static_cast<std::size_t>(d)], {}};
             if (axis.length == 1) continue;
-            for (std::size_t k = 0; k < count; ++k) axis.step[k] = k < In ? inputs[k].step(d, ndim) : output_step;
+            for (std::size_t k = 0; k < count; ++k) axis.step[k] = k < In ? inputs[k]->step(d, ndim) : output_step;
             output_step *= axis.length;
             if (!found.empty() && continues(found.back(), axis))
                 found.back().length *= axis.length;
@@ -92,8 +90,14 @@ struct Broadcast {
 
   private:
     template <std::size_t... I, std::size_t... O>
-    Broadcast(const std::array<nb::handle, In>& arguments, std::index_sequence<I...>, std::index_sequence<O...>)
-        : inputs{Operand(arguments[I])...}, shape(broadcast({inputs[I].shape()...})), outputs{Output((void(O), shape))...} {}
+    Broadcast(const std::array<const Reals*, In>& arguments, std::index_sequence<I...>, std::index_sequence<O...>)
+        : inputs(arguments), shape(common_shape({arguments[I]->shape()...})), outputs{Output((void(O), shape))...} {}
+
+    static Shape common_shape(const std::array<Shape, In>& shapes) {
+        for (const Shape& each : shapes)
+            if (!each.empty()) return broadcast(shapes);
+        return {};
+    }
 
     static bool continues(const Axis<count>& inner, const Axis<count>& outer) {
         for (std::size_t k = 0; k < count; ++k)
@@ -101,5 +105,23 @@ struct Broadcast {
         return true;
     }
 };
+
+/// compute(In doubles) -> array of Out doubles, for every element of the broadcast.
+template <std::size_t In, std::size_t Out, class Compute>
+std::array<nb::object, Out> elementwise(Broadcast<In, Out>& arrays, const Compute& compute) {
+    const auto axes = arrays.axes();
+    run_long(size_of(arrays.shape), [&](const Proceed& proceed) -> Outcome {
+        Paced paced(proceed);
+        const bool is_done = walk<In + Out>(axes, arrays.start(), [&](const Places<In + Out>& at) {
+            std::array<double, In> arguments;
+            for (std::size_t k = 0; k < In; ++k) arguments[k] = load(at[k]);
+            const std::array<double, Out> results = std::apply(compute, arguments);
+            for (std::size_t k = 0; k < Out; ++k) store(at[In + k], results[k]);
+            return paced.after(1);
+        });
+        return is_done ? Outcome::Kind::done : Outcome::Kind::stopped;
+    });
+    return arrays.results();
+}
 
 }  // namespace pendula::python

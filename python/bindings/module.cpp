@@ -1,87 +1,100 @@
-// The functions of the core as Python sees them: arguments converted, checked, and broadcast.
-#include <tuple>
+// The extension module: the core's tables as data, its enumerations, and its functions of arrays.
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
 
-#include "checks.hpp"
-#include "elementwise.hpp"
-#include "measures.hpp"
-#include "over_times.hpp"
-#include "pendula/angle.hpp"
-#include "trajectories.hpp"
+#include "calls.hpp"
+#include "pendula/version.hpp"
+#include "src/messages.hpp"
 
 namespace pendula::python {
 
 namespace {
 
-template <std::size_t Out>
-nb::tuple as_tuple(const std::array<nb::object, Out>& values) {
-    return std::apply([](const auto&... each) { return nb::make_tuple(each...); }, values);
+template <class Values>
+nb::tuple tuple_of(const Values& values) {
+    nb::list items;
+    for (const auto& each : values) items.append(nb::cast(each));
+    return nb::tuple(items);
 }
 
-template <class Arrays>
-void require_pendulums(Arrays& arrays) {
-    require_all("theta0", arrays.inputs[0], Rule::finite);
-    require_all("omega0", arrays.inputs[1], Rule::finite);
-    require_all("alpha", arrays.inputs[2], Rule::positive);
+/// Structs of the core's tables, whose fields are read only.
+void define_tables(nb::module_& module) {
+    nb::enum_<Rule>(module, "Rule", "The intervals that parameters lie in.")
+        .value("finite", Rule::finite)
+        .value("positive", Rule::positive)
+        .value("not_negative", Rule::not_negative)
+        .value("fraction", Rule::fraction);
+    nb::class_<Parameter>(module, "Parameter", "What there is to know of a parameter, or of an initial value.")
+        .def_ro("name", &Parameter::name)
+        .def_ro("symbol", &Parameter::symbol)
+        .def_ro("unit", &Parameter::unit)
+        .def_prop_ro("meaning", [](const Parameter& p) { return p.meaning.en; })
+        .def_ro("default", &Parameter::otherwise)
+        .def_ro("interval", &Parameter::rule)
+        .def_ro("is_angle", &Parameter::is_angle)
+        .def_prop_ro(
+            "is_initial", [](const Parameter& p) { return p.initial != nullptr; }, "Of the start, not of the pendulum.");
+    nb::class_<ResultColumn>(module, "ResultColumn", "A column of results.")
+        .def_ro("name", &ResultColumn::name)
+        .def_ro("symbol", &ResultColumn::symbol)
+        .def_ro("unit", &ResultColumn::unit)
+        .def_prop_ro("meaning", [](const ResultColumn& c) { return c.meaning.en; })
+        .def_prop_ro(
+            "has_rows", [](const ResultColumn& c) { return c.rows != ResultColumn::Rows::one; }, "More than one value.");
+    nb::class_<MeasureInfo>(module, "Measure", "What there is to know of a measure.")
+        .def_ro("name", &MeasureInfo::name)
+        .def_prop_ro("meaning", [](const MeasureInfo& m) { return m.meaning.en; })
+        .def_ro("periods", &MeasureInfo::periods, "Where nothing else is asked for.")
+        .def_prop_ro("columns", [](const MeasureInfo& m) {
+            return nb::typed<nb::tuple, ResultColumn, nb::ellipsis>(tuple_of(m.columns));
+        });
+    nb::class_<Strobe>(module, "Strobe", "How pendulums are measured, where nothing else is asked for.")
+        .def(nb::init<>())
+        .def_ro("transient", &Strobe::transient)
+        .def_ro("periods", &Strobe::periods)
+        .def_ro("steps_per_period", &Strobe::steps_per_period)
+        .def_prop_ro("method", [](const Strobe& s) { return method_names[static_cast<int>(s.method)]; })
+        .def_ro("tolerance", &Strobe::tolerance)
+        .def_ro("rows", &Strobe::history_rows)
+        .def_ro("match", &Strobe::match);
+    module.attr("parameters") = tuple_of(parameters);
+    module.attr("measures") = tuple_of(measures);
+    module.attr("method_names") = tuple_of(method_names);
 }
 
-template <class Arrays>
-void require_closed_form(Arrays& arrays) {
-    require_pendulums(arrays);
-    require_all("t", arrays.inputs[3], Rule::finite);
+void define_programs_part(nb::module_& module) {
+    nb::enum_<Status>(module, "Status", nb::is_arithmetic(), "How a program ends.")
+        .value("done", Status::done)
+        .value("bad_data", Status::bad_data)
+        .value("bad_usage", Status::bad_usage)
+        .value("not_written", Status::not_written)
+        .value("interrupted", Status::interrupted);
+    module.def(
+        "language_of",
+        [](const std::vector<std::string>& arguments) {
+            const std::vector<std::string_view> views(arguments.begin(), arguments.end());
+            return language_of(views) == Language::es ? "es" : "en";
+        },
+        nb::arg("arguments"), "The language of messages, as the program chooses it.");
 }
 
-nb::tuple analyze(nb::handle theta0, nb::handle omega0, nb::handle alpha) {
-    Broadcast<3, 3> arrays({theta0, omega0, alpha});
-    require_pendulums(arrays);
-    return as_tuple(elementwise(arrays, [](double theta, double omega, double stiffness) {
-        const Analysis a = pendula::analyze(stiffness, {theta, omega});
-        return std::array{static_cast<double>(a.regime), a.theta_max, a.tau};
-    }));
-}
-
-nb::tuple exact(nb::handle theta0, nb::handle omega0, nb::handle alpha, nb::handle t) {
-    Broadcast<4, 2> arrays({theta0, omega0, alpha, t});
-    require_closed_form(arrays);
-    return as_tuple(over_times<2>(arrays, [](const Exact& solution, std::size_t n, const double* times, const Results<2>& to) {
-        double turns[block];
-        at(solution, n, times, to[0], to[1], turns);
-        for (std::size_t i = 0; i < n; ++i)
-            if (turns[i] != 0) to[0][i] = unwrapped({times[i], to[0][i], 0, turns[i]});
-    }));
-}
-
-/// theta in [-pi, pi), omega and turns.
-nb::tuple states(nb::handle theta0, nb::handle omega0, nb::handle alpha, nb::handle t) {
-    Broadcast<4, 3> arrays({theta0, omega0, alpha, t});
-    require_closed_form(arrays);
-    return as_tuple(over_times<3>(arrays, [](const Exact& solution, std::size_t n, const double* times, const Results<3>& to) {
-        at(solution, n, times, to[0], to[1], to[2]);
-    }));
-}
-
-nb::object sine(nb::handle theta0, nb::handle omega0, nb::handle alpha, nb::handle t) {
-    Broadcast<4, 1> arrays({theta0, omega0, alpha, t});
-    require_closed_form(arrays);
-    return over_times<1>(arrays, [](const Exact& solution, std::size_t n, const double* times, const Results<1>& to) {
-        for (std::size_t i = 0; i < n; ++i) to[0][i] = sinusoid(solution, times[i]);
-    })[0];
-}
-
-nb::object energy(nb::handle theta, nb::handle omega, nb::handle alpha) {
-    Broadcast<3, 1> arrays({theta, omega, alpha});
-    return elementwise(arrays, [](double angle, double speed, double stiffness) {
-        return std::array{pendula::energy(stiffness, {angle, speed})};
-    })[0];
-}
-
-nb::object wrap(nb::handle theta) {
-    Broadcast<1, 1> arrays({theta});
-    return elementwise(arrays, [](double angle) { return std::array{pendula::wrap(angle)}; })[0];
-}
-
-nb::object unwrap(nb::handle theta, nb::handle turns) {
-    Broadcast<2, 1> arrays({theta, turns});
-    return elementwise(arrays, [](double angle, double whole) { return std::array{unwrapped({0, angle, 0, whole})}; })[0];
+void define_parameters(nb::module_& module) {
+    define<>(
+        module, "as_parameters",
+        [](const Pendulums& pendulums) {
+            const Members members(pendulums);
+            return values_of(pendulums);
+        },
+        "What people pass, made float or float64 and known to broadcast.");
+    define<>(
+        module, "are_conservative",
+        [](const Pendulums& pendulums) {
+            const Members members(pendulums);
+            for (std::size_t i = 0; i < members.size(); ++i)
+                if (!is_conservative(pendulum_of(members.ensemble(), i))) return false;
+            return true;
+        },
+        "Whether none of them has friction or forcing.");
 }
 
 }  // namespace
@@ -90,14 +103,14 @@ nb::object unwrap(nb::handle theta, nb::handle turns) {
 
 NB_MODULE(_core, module) {
     using namespace pendula::python;
-    module.attr("version") = PENDULA_VERSION;
-    module.def("analyze", analyze, nb::arg("theta0"), nb::arg("omega0"), nb::arg("alpha"));
-    module.def("exact", exact, nb::arg("theta0"), nb::arg("omega0"), nb::arg("alpha"), nb::arg("t"));
-    module.def("states", states, nb::arg("theta0"), nb::arg("omega0"), nb::arg("alpha"), nb::arg("t"));
-    module.def("sine", sine, nb::arg("theta0"), nb::arg("omega0"), nb::arg("alpha"), nb::arg("t"));
-    module.def("energy", energy, nb::arg("theta"), nb::arg("omega"), nb::arg("alpha"));
-    module.def("wrap", wrap, nb::arg("theta"));
-    module.def("unwrap", unwrap, nb::arg("theta"), nb::arg("turns"));
-    define_trajectories(module);
+    if (!pendula::instruction_set())
+        throw nb::import_error(describe(pendula::Refusal{.reason = pendula::Refusal::Reason::instruction_set}).c_str());
+    nb::set_leak_warnings(false);  // of what users still hold when the interpreter ends
+    module.attr("version") = pendula::version;
+    define_tables(module);
+    define_programs_part(module);
+    define_parameters(module);
+    define_closed_form(module);
+    define_solve(module);
     define_measures(module);
 }

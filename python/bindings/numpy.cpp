@@ -1,24 +1,67 @@
 #include "numpy.hpp"
 
 #include <algorithm>
+#include <cstring>
 #include <stdexcept>
-#include <string>
+
+#include "pendula/validate.hpp"
 
 namespace pendula::python {
 
 namespace {
 
 struct Numpy {
-    nb::object empty, float64;
+    nb::object array_type, asarray, array2string, can_cast, empty, float64, moveaxis;
 };
 
 /// Never destroyed: the interpreter is gone before the process's static objects are.
 const Numpy& numpy() {
     static const Numpy* const cached = [] {
         const auto module = nb::module_::import_("numpy");
-        return new Numpy{module.attr("empty"), module.attr("float64")};
+        const auto get = [&](const char* name) { return nb::object(module.attr(name)); };
+        return new Numpy{get("ndarray"), get("asarray"), get("array2string"), get("can_cast"),
+                         get("empty"),   get("float64"), get("moveaxis")};
     }();
     return *cached;
+}
+
+bool is_plain_array(nb::handle given) { return reinterpret_cast<PyObject*>(Py_TYPE(given.ptr())) == numpy().array_type.ptr(); }
+
+/// Whether it is a masked array, or a list or tuple with one in it.
+bool is_masked(nb::handle given) {
+    if (nb::isinstance<nb::list>(given) || nb::isinstance<nb::tuple>(given)) {
+        for (const nb::handle element : given)
+            if (!PyFloat_CheckExact(element.ptr()) && !PyLong_CheckExact(element.ptr()) && is_masked(element)) return true;
+        return false;
+    }
+    return nb::isinstance(given, numpy().array_type) &&
+           nb::isinstance(given, nb::module_::import_("numpy.ma").attr("MaskedArray"));
+}
+
+bool is_native_double(const Py_buffer& view) {
+    const char* const format = view.format ? view.format : "B";
+    return std::strcmp(*format == '@' || *format == '=' ? format + 1 : format, "d") == 0;
+}
+
+nb::object new_array(const Shape& shape) {
+    const auto lengths = nb::steal(PyTuple_New(static_cast<Py_ssize_t>(shape.size())));
+    for (std::size_t i = 0; i < shape.size(); ++i)
+        PyTuple_SetItem(lengths.ptr(), static_cast<Py_ssize_t>(i), PyLong_FromSsize_t(shape[i]));
+    return numpy().empty(lengths);
+}
+
+[[noreturn]] void refuse_type(const std::string& message) { throw nb::type_error(message.c_str()); }
+
+std::string as_typed(nb::handle value) { return nb::repr(value).c_str(); }
+
+std::string as_printed(nb::handle value) { return nb::str(value).c_str(); }
+
+}  // namespace
+
+std::size_t size_of(const Shape& shape) {
+    std::size_t product = 1;
+    for (const Py_ssize_t length : shape) product *= static_cast<std::size_t>(length);
+    return product;
 }
 
 std::string text(const Shape& shape) {
@@ -27,44 +70,130 @@ std::string text(const Shape& shape) {
     return joined + (shape.size() == 1 ? ",)" : ")");
 }
 
-void open(Py_buffer& view, nb::handle array, int flags) {
-    if (PyObject_GetBuffer(array.ptr(), &view, flags) != 0) throw nb::python_error();
+Reals::Reals(nb::handle given) {
+    if (PyFloat_Check(given.ptr())) {
+        scalar_ = PyFloat_AsDouble(given.ptr());
+        return;
+    }
+    try {
+        convert(given);
+    } catch (nb::python_error& error) {
+        if (error.matches(PyExc_TypeError) || error.matches(PyExc_ValueError) || error.matches(PyExc_OverflowError))
+            refused_ = nb::borrow(given);
+        else
+            failure_ = std::current_exception();
+    } catch (...) {
+        failure_ = std::current_exception();
+    }
 }
 
-}  // namespace
-
-Operand::Operand(nb::handle value) {
-    if (PyFloat_Check(value.ptr()))
-        scalar_ = PyFloat_AsDouble(value.ptr());
+void Reals::convert(nb::handle given) {
+    if (PyLong_Check(given.ptr())) {
+        scalar_ = PyLong_AsDouble(given.ptr());
+        if (scalar_ == -1 && PyErr_Occurred()) throw nb::python_error();
+        return;
+    }
+    if (is_plain_array(given)) {
+        look_at(nb::borrow(given));
+        if (view_) return;
+    }
+    if (is_masked(given)) {
+        refused_ = nb::borrow(given);
+        return;
+    }
+    const nb::object array = numpy().asarray(given);
+    if (nb::cast<bool>(numpy().can_cast(array.attr("dtype"), numpy().float64, "same_kind")))
+        look_at(numpy().asarray(array, numpy().float64));
     else
-        open(view_, value, PyBUF_STRIDED_RO);
+        refused_ = array;
 }
 
-Operand::~Operand() {
-    if (view_.obj) PyBuffer_Release(&view_);
+/// Leaves `view_` empty where the array is not one of native doubles.
+void Reals::look_at(nb::object array) {
+    auto view = std::make_unique<Py_buffer>();
+    if (PyObject_GetBuffer(array.ptr(), view.get(), PyBUF_STRIDED_RO | PyBUF_FORMAT) != 0) {
+        PyErr_Clear();  // of an array of dates, which has no format
+        return;
+    }
+    view_.reset(view.release());
+    if (!is_native_double(*view_)) {
+        view_.reset();
+        return;
+    }
+    array_ = std::move(array);
 }
 
-Py_ssize_t Operand::step(int axis, int ndim) const {
-    const int own = axis - (ndim - view_.ndim);
-    return own < 0 || view_.shape[own] == 1 ? 0 : view_.strides[own];
+const Reals& Reals::named(const char* name, const char* what) const {
+    if (failure_) std::rethrow_exception(failure_);
+    if (!refused_.is_valid()) return *this;
+    if (is_masked(refused_))
+        refuse_type(std::string(name) + " must be " + what + ", got a masked array, whose masks would be ignored");
+    std::string got;
+    if (nb::isinstance(refused_, numpy().array_type)) {
+        const nb::object shown = numpy().array2string(refused_, nb::arg("threshold") = 4, nb::arg("edgeitems") = 2);
+        got = as_printed(nb::object(refused_.attr("dtype"))) + ' ' + as_printed(shown);
+    } else {
+        got = as_printed(nb::object(refused_.type().attr("__name__")));
+        const std::string value = as_typed(refused_);
+        got += ' ' + (value.size() <= 80 ? value : value.substr(0, 77) + "...");
+    }
+    refuse_type(std::string(name) + " must be " + what + ", got " + got);
 }
 
-Output::Output(const Shape& shape) {
+Shape Reals::shape() const {
+    if (!view_) return {};
+    return {view_->shape, view_->shape + view_->ndim};
+}
+
+Py_ssize_t Reals::step(int axis, int ndim) const {
+    if (!view_) return 0;
+    const int own = axis - (ndim - view_->ndim);
+    return own < 0 || view_->shape[own] == 1 ? 0 : view_->strides[own];
+}
+
+double Number::named(const char* name) const {
+    const Shape shape = given.named(name, "a real number").shape();
+    if (!shape.empty()) refuse_type(std::string(name) + " must be a real number, got an array of shape " + text(shape));
+    double value;
+    std::memcpy(&value, given.data(), sizeof value);
+    return value;
+}
+
+std::size_t Name::among(const char* name, std::span<const char* const> names) const {
+    std::string listed;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        if (PyUnicode_Check(given.ptr()) && PyUnicode_CompareWithASCIIString(given.ptr(), names[i]) == 0) return i;
+        listed += (i ? ", " : "") + std::string(names[i]);
+    }
+    throw std::invalid_argument(std::string(name) + " must be one of " + listed + ", got " + as_typed(given));
+}
+
+int Threads::number() const {
+    if (given.is_none()) return 0;
+    const double value = Number{Reals(given)}.named("threads");
+    if (!(value >= 1 && value <= threads_limit && value == static_cast<int>(value)))
+        require(
+            Refusal{.reason = Refusal::Reason::whole, .name = "threads", .value = value, .least = 1, .most = threads_limit});
+    return static_cast<int>(value);
+}
+
+Output::Output(const Shape& shape) : size_(size_of(shape)) {
     if (shape.empty()) return;
-    const auto lengths = nb::steal(PyTuple_New(static_cast<Py_ssize_t>(shape.size())));
-    for (std::size_t i = 0; i < shape.size(); ++i)
-        PyTuple_SetItem(lengths.ptr(), static_cast<Py_ssize_t>(i), PyLong_FromSsize_t(shape[i]));
-    array_ = numpy().empty(lengths);
-    open(view_, array_, PyBUF_CONTIG);
+    array_ = new_array(shape);
+    if (PyObject_GetBuffer(array_.ptr(), &view_, PyBUF_CONTIG) != 0) throw nb::python_error();
 }
 
 Output::~Output() {
     if (view_.obj) PyBuffer_Release(&view_);
 }
 
-nb::object Output::value() const { return array_ ? array_ : numpy().float64(scalar_); }
+nb::object Output::value() const { return array_.is_valid() ? array_ : numpy().float64(scalar_); }
 
-Shape broadcast(std::initializer_list<Shape> shapes) {
+nb::object Output::rows_last() const { return numpy().moveaxis(array_, 0, -1); }
+
+nb::object as_int8(const nb::object& values) { return values.attr("astype")("int8"); }
+
+Shape broadcast(std::span<const Shape> shapes) {
     Shape common;
     for (const Shape& shape : shapes) common.insert(common.begin(), std::max(common.size(), shape.size()) - common.size(), 1);
     for (const Shape& shape : shapes) {

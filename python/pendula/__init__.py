@@ -1,10 +1,10 @@
 """The pendulum, exactly and step by step, with the same bits everywhere."""
 
-from pendula import measure, plot
-from pendula._arguments import Parameters
-from pendula._closed_form import Analysis, Regime, analyze, exact
-from pendula._core import version as __version__
-from pendula._solution import Solution
-from pendula._solve import solve
+from . import measure, plot
+from ._arguments import Parameters
+from ._closed_form import Analysis, Regime, analyze, exact
+from ._core import version as __version__
+from ._solution import Solution
+from ._solve import solve
 
 __all__ = ["Analysis", "Parameters", "Regime", "Solution", "__version__", "analyze", "exact", "measure", "plot", "solve"]

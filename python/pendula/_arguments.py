@@ -1,97 +1,103 @@
-"""What people pass, made float64; the core says what is legal."""
+"""The parameters of pendulums as arguments: by name, with the core's defaults and meanings."""
 
-from typing import Any, NamedTuple
+from __future__ import annotations
+
+import inspect
+from typing import TYPE_CHECKING, TypeVar
 
 import numpy as np
-import numpy.typing as npt
 
-Array = npt.NDArray[np.float64]
+from . import _core
+from ._tables import ParameterValues, PendulumArguments
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterable, Mapping
+    from typing import Any, Self, Unpack
+
+    import numpy.typing as npt
+
+    from ._tables import Array
+
+Function = TypeVar("Function", bound="Callable[..., Any]")
 
 
-def real(name: str, value: npt.ArrayLike) -> Any:
-    """A float as it is, all else as an array of float64, without a copy where it is one already.
+class Parameters(ParameterValues):
+    """Where pendulums start and which they are: floats, or arrays of float64 that broadcast.
 
-    What ufuncs would not take as real numbers raises TypeError: text, objects, complex numbers, dates.
+    theta0, omega0: initial angle [rad] and angular velocity [rad/s]; then the other arguments of `pendula.solve`, by name or in
+    their order. TypeError for what is no real number, ValueError where shapes do not fit.
     """
-    if isinstance(value, float):
-        return value
-    array = np.asarray(value)
-    if array.dtype == np.float64 and array.dtype.isnative:
-        return array
-    if not np.can_cast(array.dtype, np.float64, "same_kind"):
-        raise TypeError(f"{name} must be real numbers, got {array.dtype} {np.array2string(array, threshold=4, edgeitems=2)}")
-    return array.astype(np.float64)
 
+    __slots__ = ()
 
-class Parameters(NamedTuple):
-    """Where pendulums start and which they are: floats, or arrays of float64 that broadcast."""
-
-    theta0: Any
-    """Initial angle [rad]."""
-    omega0: Any
-    """Initial angular velocity [rad/s]."""
-    alpha: Any = 1.0
-    """Stiffness g/l [s⁻²], positive."""
-    beta: Any = 0.0
-    """Damping [s⁻¹], not negative."""
-    torque: Any = 0.0
-    """Constant torque [s⁻²]."""
-    drive_amplitude: Any = 0.0
-    """[s⁻²]."""
-    drive_frequency: Any = 0.0
-    """Angular frequency [rad/s], not negative; positive where the amplitude is not 0."""
-    drive_phase: Any = 0.0
-    """[rad]."""
+    def __new__(
+        cls, theta0: npt.ArrayLike, omega0: npt.ArrayLike, *others: npt.ArrayLike, **pendulum: Unpack[PendulumArguments]
+    ) -> Self:
+        """Whatever real numbers are given, as floats and float64."""
+        by_name = PendulumArguments(**dict(zip(cls._fields[2:], others, strict=False)))  # type: ignore[typeddict-item]
+        return cls._make(_core.as_parameters(theta0=theta0, omega0=omega0, **by_name, **known(pendulum, cls._fields)))
 
     @property
     def shape(self) -> tuple[int, ...]:
         """The common shape; () of a single pendulum."""
-        return broadcast_shape(*self)
+        return np.broadcast_shapes(*map(np.shape, self))
 
     @property
     def is_conservative(self) -> bool:
         """Whether none of them has friction or forcing, so that the closed form holds."""
-        return not (np.any(self.beta) or np.any(self.torque) or np.any(self.drive_amplitude))
-
-    def closed_form(self) -> dict[str, Any]:
-        """The closed form's arguments, as they broadcast against times."""
-        return {name: along_time(getattr(self, name)) for name in ("theta0", "omega0", "alpha")}
+        return _core.are_conservative(**self._asdict())
 
 
-def parameters(**values: npt.ArrayLike) -> Parameters:
-    """`Parameters` of what was passed under their names."""
-    for name in values:
-        if name not in Parameters._fields:
-            raise TypeError(f"{name!r} is no parameter of a pendulum; they are {', '.join(Parameters._fields)}")
-    return Parameters(**{name: real(name, value) for name, value in values.items()})
-
-
-def broadcast_shape(*values: Any) -> tuple[int, ...]:
-    """The common shape of floats and arrays."""
-    return np.broadcast_shapes(*(value.shape for value in values if not isinstance(value, float)))
-
-
-def column(values: Any, shape: tuple[int, ...]) -> Any:
-    """Values broadcast to `shape`, one behind the other; a single one as a float."""
-    if isinstance(values, float):
-        return values
-    if values.size == 1:
-        return values.item()
-    return np.require(np.broadcast_to(values, shape).reshape(-1), requirements=["C", "A"])
-
-
-def chosen_members(values: Any, members: npt.NDArray[np.intp]) -> Any:
-    """Those values of a column that belong to some members."""
-    return values if isinstance(values, float) else values[members]
-
-
-def along_time(values: Any) -> Any:
+def along_time(values: float | Array) -> float | Array:
     """Values of pendulums as they broadcast against arrays whose last axis is time."""
-    return values if isinstance(values, float) else values[..., np.newaxis]
+    return values[..., np.newaxis] if isinstance(values, np.ndarray) else values
 
 
-def thread_count(threads: int | None) -> int:
-    """As the core counts them: 0 for as many as there are processors."""
-    if threads is not None and threads < 1:
-        raise ValueError(f"threads must be at least 1, got {threads}")
-    return threads or 0
+Given = TypeVar("Given", bound="Mapping[str, object]")
+
+
+def known(given: Given, names: Iterable[str]) -> Given:
+    """What was given by name, if all names are known."""
+    for name in given:
+        if name not in names:
+            fields = ", ".join(Parameters._fields)
+            raise TypeError(
+                f"{name!r} is no parameter of a pendulum, nor another argument of this call; parameters are {fields}"
+            )
+    return given
+
+
+def with_parameters(**settings: object) -> Callable[[Function], Function]:
+    """Makes `help` show the parameters by name, and settings with their defaults, where a function takes them by `**`.
+
+    {parameters} in its docstring becomes what the core's table says of them.
+    """
+
+    def shown(function: Function) -> Function:
+        own = [each for each in inspect.signature(function).parameters.values() if each.kind != each.VAR_KEYWORD]
+        added = {each.name: each.default for each in _core.parameters if not each.is_initial}
+        by_name = [inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=default) for name, default in added.items()]
+        more = [inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=default) for name, default in settings.items()]
+        places = [each for each in own if each.kind != each.KEYWORD_ONLY]
+        function.__signature__ = inspect.Signature([*places, *by_name, *own[len(places) :], *more])  # type: ignore[attr-defined]
+        function.__doc__ = (function.__doc__ or "").replace("{parameters}", PARAGRAPH)
+        return function
+
+    return shown
+
+
+INTERVALS = {
+    _core.Rule.finite: "finite",
+    _core.Rule.positive: "positive",
+    _core.Rule.not_negative: "not negative",
+    _core.Rule.fraction: "between 0 and 1",
+}
+DRIVEN = "A driven pendulum, of which either amplitude is not 0, needs a positive drive_frequency."
+PARAGRAPH = (
+    "\n    ".join(
+        f"{each.name}: {each.symbol}, {each.meaning} [{each.unit}], {INTERVALS[each.interval]}"
+        + ("" if each.is_initial else f"; {each.default:g} if left out")
+        for each in _core.parameters
+    )
+    + f"\n    {DRIVEN}"
+)

@@ -1,44 +1,53 @@
 """The pendulum without friction and forcing: what it does, and where it is at any time."""
 
-from enum import IntEnum
-from typing import Any, NamedTuple, overload
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Generic, NamedTuple, TypeVar, overload
 
 import numpy as np
-import numpy.typing as npt
 
-from pendula import _core
-from pendula._arguments import Array, real
+from . import _core
+from ._core import Regime
+
+if TYPE_CHECKING:
+    import numpy.typing as npt
+
+    from ._tables import Array
+
+__all__ = ["Analysis", "Regime", "analyze", "exact"]
+
+Kind = TypeVar("Kind")
+Number = TypeVar("Number")
 
 
-class Regime(IntEnum):
-    """The kinds of motion; the values are the assignment's k."""
-
-    oscillation = -1
-    separatrix = 0
-    rotation = 1
-
-
-class Analysis(NamedTuple):
+class Analysis(NamedTuple, Generic[Kind, Number]):
     """What a pendulum does: numbers, or arrays of one shape."""
 
-    regime: Any
+    regime: Kind
     """`Regime`, or an array of its values."""
-    theta_max: Any
+    theta_max: Number
     """Limit angle [rad]: the amplitude in (0, π), or π; −π on the separatrix for ω < 0."""
-    tau: Any
+    tau: Number
     """Characteristic time [s]: the period, or the time to 0.999 `theta_max` on the separatrix."""
 
 
-def analyze(theta0: npt.ArrayLike, omega0: npt.ArrayLike, *, alpha: npt.ArrayLike = 1.0) -> Analysis:
+@overload
+def analyze(theta0: float, omega0: float, *, alpha: float = 1.0) -> Analysis[Regime, np.float64]: ...
+@overload
+def analyze(
+    theta0: npt.ArrayLike, omega0: npt.ArrayLike, *, alpha: npt.ArrayLike = 1.0
+) -> Analysis[npt.NDArray[np.int8], Array]: ...
+def analyze(theta0: npt.ArrayLike, omega0: npt.ArrayLike, *, alpha: npt.ArrayLike = 1.0) -> object:
     """Regime, amplitude and characteristic time of θ'' = −α sin θ (3.2, 3.5 to 3.8), by the arithmetic-geometric mean.
 
     theta0: initial angle θ0 [rad], finite. omega0: initial angular velocity ω0 [rad/s], finite. alpha: stiffness α = g/l [s⁻²],
-    positive. They broadcast. The regime is the separatrix where one unit in the last place of the three can make it so.
-    theta_max and tau are right to 4 ulp. ValueError for anything outside.
+    positive. They broadcast.
+
+    Returns `Analysis`. The regime is the separatrix where one unit in the last place of the three can make it so. theta_max and
+    tau are right to 4 ulp (tests/cpp/analysis_test.cpp). ValueError with the index for a value outside its interval, TypeError
+    for what is no real number.
     """
-    k, theta_max, tau = _core.analyze(real("theta0", theta0), real("omega0", omega0), real("alpha", alpha))
-    regime = k.astype(np.int8) if isinstance(k, np.ndarray) else Regime(int(k))
-    return Analysis(regime, theta_max, tau)
+    return Analysis(*_core.analyze(theta0, omega0, alpha))
 
 
 @overload
@@ -47,13 +56,15 @@ def exact(theta0: float, omega0: float, t: float, *, alpha: float = 1.0) -> tupl
 def exact(
     theta0: npt.ArrayLike, omega0: npt.ArrayLike, t: npt.ArrayLike, *, alpha: npt.ArrayLike = 1.0
 ) -> tuple[Array, Array]: ...
-def exact(theta0: npt.ArrayLike, omega0: npt.ArrayLike, t: npt.ArrayLike, *, alpha: npt.ArrayLike = 1.0) -> tuple[Any, Any]:
-    """(theta, omega) at time t of θ'' = −α sin θ, in closed form (Jacobi's elliptic functions).
+def exact(theta0: npt.ArrayLike, omega0: npt.ArrayLike, t: npt.ArrayLike, *, alpha: npt.ArrayLike = 1.0) -> object:
+    """The state at time t of θ'' = −α sin θ, in closed form (Jacobi's elliptic functions; docs/numerics.md).
 
     theta0: initial angle θ0 [rad], finite. omega0: initial angular velocity ω0 [rad/s], finite. t: times of either sign [s],
     finite. alpha: stiffness α = g/l [s⁻²], positive. They broadcast; each pendulum is prepared once, whatever the times.
-    theta [rad] is not wrapped: it goes on from θ0 and counts turns. Within 1e-14 rad, and omega [rad/s] within 1e-14 of its
-    maximum, for |t| <= 30 tau; 1e-13 to 1e6 tau. ValueError for anything outside.
+
+    Returns (theta, omega). theta [rad] is not wrapped: it goes on from θ0 and counts turns. Before whole turns are added it is
+    within 1e-14 rad, and omega [rad/s] within 1e-14 of its maximum, for |t| <= 30 tau; within 1e-13 to 1e6 tau
+    (tests/cpp/exact_test.cpp). The sum with the turns is rounded once: after many turns, `solve` with method="exact" gives
+    angle and turns apart. ValueError with the index for a value outside its interval, TypeError for what is no real number.
     """
-    theta, omega = _core.exact(real("theta0", theta0), real("omega0", omega0), real("alpha", alpha), real("t", t))
-    return theta, omega
+    return _core.exact(theta0, omega0, t, alpha)

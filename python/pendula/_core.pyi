@@ -1,33 +1,228 @@
-from typing import Any
+import enum
+from collections.abc import Sequence
 
-# Arguments without a type are floats or arrays of float64; they broadcast, and the results are of their common shape.
+import numpy
+import numpy.typing
 
 version: str
 
-def analyze(theta0: Any, omega0: Any, alpha: Any) -> tuple[Any, Any, Any]: ...
-def exact(theta0: Any, omega0: Any, alpha: Any, t: Any) -> tuple[Any, Any]: ...
-def states(theta0: Any, omega0: Any, alpha: Any, t: Any) -> tuple[Any, Any, Any]: ...
-def sine(theta0: Any, omega0: Any, alpha: Any, t: Any) -> Any: ...
-def energy(theta: Any, omega: Any, alpha: Any) -> Any: ...
-def wrap(theta: Any) -> Any: ...
-def unwrap(theta: Any, turns: Any) -> Any: ...
-def check(arguments: tuple[Any, ...], method: int, tolerance: float) -> None: ...
-def characteristic_time(arguments: tuple[Any, ...]) -> Any: ...
-def schedule(dt: Any, every: Any, until: Any) -> tuple[Any, Any]: ...
+class Rule(enum.Enum):
+    """The intervals that parameters lie in."""
+
+    finite = 0
+
+    positive = 1
+
+    not_negative = 2
+
+    fraction = 3
+
+class Parameter:
+    """What there is to know of a parameter, or of an initial value."""
+
+    @property
+    def name(self) -> str: ...
+    @property
+    def symbol(self) -> str: ...
+    @property
+    def unit(self) -> str: ...
+    @property
+    def meaning(self) -> str: ...
+    @property
+    def default(self) -> float: ...
+    @property
+    def interval(self) -> Rule: ...
+    @property
+    def is_angle(self) -> bool: ...
+    @property
+    def is_initial(self) -> bool:
+        """Of the start, not of the pendulum."""
+
+class ResultColumn:
+    """A column of results."""
+
+    @property
+    def name(self) -> str: ...
+    @property
+    def symbol(self) -> str: ...
+    @property
+    def unit(self) -> str: ...
+    @property
+    def meaning(self) -> str: ...
+    @property
+    def has_rows(self) -> bool:
+        """More than one value."""
+
+class Measure:
+    """What there is to know of a measure."""
+
+    @property
+    def name(self) -> str: ...
+    @property
+    def meaning(self) -> str: ...
+    @property
+    def periods(self) -> float:
+        """Where nothing else is asked for."""
+
+    @property
+    def columns(self) -> tuple[ResultColumn, ...]: ...
+
+class Strobe:
+    """How pendulums are measured, where nothing else is asked for."""
+
+    def __init__(self) -> None: ...
+    @property
+    def transient(self) -> float: ...
+    @property
+    def periods(self) -> float: ...
+    @property
+    def steps_per_period(self) -> float: ...
+    @property
+    def method(self) -> str: ...
+    @property
+    def tolerance(self) -> float: ...
+    @property
+    def rows(self) -> float: ...
+    @property
+    def match(self) -> float: ...
+
+parameters: tuple[Parameter, ...]
+
+measures: tuple[Measure, ...]
+
+method_names: tuple[str, ...]
+
+class Status(enum.IntEnum):
+    """How a program ends."""
+
+    done = 0
+
+    bad_data = 1
+
+    bad_usage = 2
+
+    not_written = 3
+
+    interrupted = 130
+
+def language_of(arguments: Sequence[str]) -> str:
+    """The language of messages, as the program chooses it."""
+
+def as_parameters(
+    theta0: numpy.typing.ArrayLike | None = 0.0,
+    omega0: numpy.typing.ArrayLike | None = 0.0,
+    alpha: numpy.typing.ArrayLike | None = 1.0,
+    beta: numpy.typing.ArrayLike | None = 0.0,
+    torque: numpy.typing.ArrayLike | None = 0.0,
+    drive_amplitude: numpy.typing.ArrayLike | None = 0.0,
+    pivot_amplitude: numpy.typing.ArrayLike | None = 0.0,
+    drive_frequency: numpy.typing.ArrayLike | None = 0.0,
+    drive_phase: numpy.typing.ArrayLike | None = 0.0,
+) -> tuple[float | numpy.typing.NDArray[numpy.float64], ...]:
+    """What people pass, made float or float64 and known to broadcast."""
+
+def are_conservative(
+    theta0: numpy.typing.ArrayLike | None = 0.0,
+    omega0: numpy.typing.ArrayLike | None = 0.0,
+    alpha: numpy.typing.ArrayLike | None = 1.0,
+    beta: numpy.typing.ArrayLike | None = 0.0,
+    torque: numpy.typing.ArrayLike | None = 0.0,
+    drive_amplitude: numpy.typing.ArrayLike | None = 0.0,
+    pivot_amplitude: numpy.typing.ArrayLike | None = 0.0,
+    drive_frequency: numpy.typing.ArrayLike | None = 0.0,
+    drive_phase: numpy.typing.ArrayLike | None = 0.0,
+) -> bool:
+    """Whether none of them has friction or forcing."""
+
+class Regime(enum.IntEnum):
+    """The kinds of motion; the values are the assignment's k."""
+
+    oscillation = -1
+
+    separatrix = 0
+
+    rotation = 1
+
+def analyze(
+    theta0: numpy.typing.ArrayLike | None, omega0: numpy.typing.ArrayLike | None, alpha: numpy.typing.ArrayLike | None
+) -> tuple[Regime | numpy.typing.NDArray[numpy.int8], numpy.typing.NDArray[numpy.float64], numpy.typing.NDArray[numpy.float64]]:
+    """regime, theta_max and tau"""
+
+def exact(
+    theta0: numpy.typing.ArrayLike | None,
+    omega0: numpy.typing.ArrayLike | None,
+    t: numpy.typing.ArrayLike | None,
+    alpha: numpy.typing.ArrayLike | None,
+) -> tuple[numpy.typing.NDArray[numpy.float64], numpy.typing.NDArray[numpy.float64]]:
+    """theta, not wrapped, and omega"""
+
+def states(
+    theta0: numpy.typing.ArrayLike | None,
+    omega0: numpy.typing.ArrayLike | None,
+    alpha: numpy.typing.ArrayLike | None,
+    t: numpy.typing.ArrayLike | None,
+) -> tuple[numpy.typing.NDArray[numpy.float64], numpy.typing.NDArray[numpy.float64], numpy.typing.NDArray[numpy.float64]]:
+    """theta in [-π, π), omega and turns"""
+
+def sine(
+    theta0: numpy.typing.ArrayLike | None,
+    omega0: numpy.typing.ArrayLike | None,
+    alpha: numpy.typing.ArrayLike | None,
+    t: numpy.typing.ArrayLike | None,
+) -> numpy.typing.NDArray[numpy.float64]:
+    """the sinusoid (3.4), in [-π, π)"""
+
+def energy(
+    theta: numpy.typing.ArrayLike | None, omega: numpy.typing.ArrayLike | None, alpha: numpy.typing.ArrayLike | None
+) -> numpy.typing.NDArray[numpy.float64]: ...
+def wrap(theta: numpy.typing.ArrayLike | None) -> numpy.typing.NDArray[numpy.float64]: ...
+def unwrap(
+    theta: numpy.typing.ArrayLike | None, turns: numpy.typing.ArrayLike | None
+) -> numpy.typing.NDArray[numpy.float64]: ...
 def solve(
-    arguments: tuple[Any, ...],
-    first: float,
-    every: Any,
-    size: int,
-    rows: int,
-    steps_per_row: float,
-    method: int,
-    tolerance: float,
-    threads: int,
-) -> Any: ...
-def check_measure(arguments: tuple[Any, ...], settings: tuple[Any, ...]) -> None: ...
-def section(arguments: tuple[Any, ...], settings: tuple[Any, ...], size: int, threads: int) -> Any: ...
-def mean_velocity(arguments: tuple[Any, ...], settings: tuple[Any, ...], size: int, threads: int) -> Any: ...
-def lyapunov(arguments: tuple[Any, ...], settings: tuple[Any, ...], size: int, threads: int, rows: int) -> tuple[Any, Any]: ...
-def orbits(arguments: tuple[Any, ...], settings: tuple[Any, ...], size: int, threads: int, match: float) -> Any: ...
-def labels(pendulum: tuple[float, ...], settings: tuple[Any, ...], match: float, orbits: Any) -> Any: ...
+    *,
+    t: numpy.typing.ArrayLike | None = None,
+    until: numpy.typing.ArrayLike | None = None,
+    every: numpy.typing.ArrayLike | None = None,
+    dt: numpy.typing.ArrayLike | None = None,
+    method: str | None = "rk4",
+    tolerance: float | None = 1e-15,
+    threads: int | None = None,
+    theta0: numpy.typing.ArrayLike | None = 0.0,
+    omega0: numpy.typing.ArrayLike | None = 0.0,
+    alpha: numpy.typing.ArrayLike | None = 1.0,
+    beta: numpy.typing.ArrayLike | None = 0.0,
+    torque: numpy.typing.ArrayLike | None = 0.0,
+    drive_amplitude: numpy.typing.ArrayLike | None = 0.0,
+    pivot_amplitude: numpy.typing.ArrayLike | None = 0.0,
+    drive_frequency: numpy.typing.ArrayLike | None = 0.0,
+    drive_phase: numpy.typing.ArrayLike | None = 0.0,
+) -> tuple[
+    numpy.typing.NDArray[numpy.float64],
+    numpy.typing.NDArray[numpy.float64],
+    numpy.typing.NDArray[numpy.float64],
+    numpy.typing.NDArray[numpy.float64],
+    float | numpy.typing.NDArray[numpy.float64] | None,
+    tuple[float | numpy.typing.NDArray[numpy.float64], ...],
+]: ...
+def measure(
+    measure: str | None,
+    *,
+    transient: float | None = 200.0,
+    periods: float | None = None,
+    steps_per_period: float | None = 1000.0,
+    method: str | None = "rk4",
+    tolerance: float | None = 1e-15,
+    rows: float | None = 0.0,
+    match: float | None = 1e-06,
+    threads: int | None = None,
+    theta0: numpy.typing.ArrayLike | None = 0.0,
+    omega0: numpy.typing.ArrayLike | None = 0.0,
+    alpha: numpy.typing.ArrayLike | None = 1.0,
+    beta: numpy.typing.ArrayLike | None = 0.0,
+    torque: numpy.typing.ArrayLike | None = 0.0,
+    drive_amplitude: numpy.typing.ArrayLike | None = 0.0,
+    pivot_amplitude: numpy.typing.ArrayLike | None = 0.0,
+    drive_frequency: numpy.typing.ArrayLike | None = 0.0,
+    drive_phase: numpy.typing.ArrayLike | None = 0.0,
+) -> tuple[numpy.typing.NDArray[numpy.float64], ...]: ...

@@ -1,4 +1,4 @@
-// Made by tools/make_coefficients.py, with the command that stands there; do not edit.
+// Made by tools/make_coefficients.py, which states the command; do not edit.
 #pragma once
 
 namespace pendula::arithmetic {
@@ -71,13 +71,13 @@ inline constexpr double inverse_ln2[1] = {
     0x1.71547652b82fep+0,
 };
 
-// sine of 0.999 pi/2, half the angle at which the time of the separatrix is taken, in two doubles.
+// sine of 0.999 pi/2, half the angle at which the time on the separatrix ends (3.5), in two doubles.
 inline constexpr double mark_sine_dd[2] = {
     0x1.ffffd69a985b9p-1,
     0x1.7701362f5c63bp-57,
 };
 
-// cosine of 0.999 pi/2, half the angle at which the time of the separatrix is taken, in two doubles.
+// cosine of 0.999 pi/2, half the angle at which the time on the separatrix ends (3.5), in two doubles.
 inline constexpr double mark_cosine_dd[2] = {
     0x1.9bc6504fbc485p-10,
     0x1.efbad94b9a976p-64,

@@ -1,5 +1,6 @@
-// Double-double arithmetic: unevaluated sums hi + lo with |lo| <= ulp(hi)/2, some 106 bits.
-// Muller et al., Handbook of Floating-Point Arithmetic, 4.4, 5.1 and 14.1; Joldes, Muller & Popescu 2017 for the error bounds.
+// Double-double arithmetic: a number is the unevaluated sum hi + lo of two doubles with |lo| <= ulp(hi)/2, which gives about
+// 106 bits. Algorithms: Muller et al., Handbook of Floating-Point Arithmetic, 4.4, 5.1 and 14.1. Error bounds: Joldes, Muller &
+// Popescu 2017.
 #pragma once
 
 #include "arithmetic/pack.hpp"
@@ -20,14 +21,14 @@ inline DoubleDouble<T> two_sum(T a, T b) {
     return {s, (a - (s - bb)) + (b - bb)};
 }
 
-/// a + b exactly, where |a| >= |b| or a = 0.
+/// a + b exactly. Requires |a| >= |b| or a = 0.
 template <class T>
 inline DoubleDouble<T> fast_two_sum(T a, T b) {
     const T s = a + b;
     return {s, b - (s - a)};
 }
 
-/// a as two doubles of 26 bits at most, by Veltkamp. |a| < 2^996.
+/// a exactly as the sum of two doubles of at most 26 bits each (Veltkamp). Requires |a| < 2^996.
 template <class T>
 inline DoubleDouble<T> split(T a) {
     const T c = a * 134217729.0;  // 2^27 + 1
@@ -35,7 +36,7 @@ inline DoubleDouble<T> split(T a) {
     return {hi, a - hi};
 }
 
-/// a * b exactly, by Dekker; |a|, |b| < 2^996 and no part of the product below 2^-1074.
+/// a * b exactly (Dekker). Requires |a|, |b| < 2^996, and no part of the product below 2^-1074.
 template <class T>
 inline DoubleDouble<T> two_prod(T a, T b) {
     const T p = a * b;
@@ -49,7 +50,7 @@ inline DoubleDouble<T> operator-(DoubleDouble<T> a) {
     return {-a.hi, -a.lo};
 }
 
-/// Relative error at most 3 * 2^-106, of the result also where it cancels.
+/// a + b with a relative error of at most 3 * 2^-106, also if leading digits cancel.
 template <class T>
 inline DoubleDouble<T> operator+(DoubleDouble<T> a, DoubleDouble<T> b) {
     const auto s = two_sum(a.hi, b.hi);
@@ -69,7 +70,7 @@ inline DoubleDouble<T> operator+(DoubleDouble<T> a, T b) {
     return fast_two_sum(s.hi, a.lo + s.lo);
 }
 
-/// Relative error at most 5 * 2^-106.
+/// a * b with a relative error of at most 5 * 2^-106.
 template <class T>
 inline DoubleDouble<T> operator*(DoubleDouble<T> a, DoubleDouble<T> b) {
     const auto p = two_prod(a.hi, b.hi);
@@ -82,13 +83,13 @@ inline DoubleDouble<T> operator*(DoubleDouble<T> a, T b) {
     return fast_two_sum(p.hi, p.lo + a.lo * b);
 }
 
-/// By a power of two.
+/// a times a power of two, exactly.
 template <class T>
 inline DoubleDouble<T> scaled(DoubleDouble<T> a, T power) {
     return {a.hi * power, a.lo * power};
 }
 
-/// Relative error at most 10 * 2^-106.
+/// a/b with a relative error of at most 10 * 2^-106.
 template <class T>
 inline DoubleDouble<T> operator/(DoubleDouble<T> a, DoubleDouble<T> b) {
     const T q = a.hi / b.hi;
@@ -96,7 +97,7 @@ inline DoubleDouble<T> operator/(DoubleDouble<T> a, DoubleDouble<T> b) {
     return fast_two_sum(q, (rest.hi + rest.lo) / b.hi);
 }
 
-/// Square root by one step of Newton's method (Karp & Markstein 1997); relative error some 2^-104. 0 gives 0.
+/// The square root, by one step of Newton's method (Karp & Markstein 1997). Relative error about 2^-104. 0 gives 0.
 template <class T>
 inline DoubleDouble<T> sqrt(DoubleDouble<T> a) {
     const T root = sqrt(a.hi);
@@ -105,8 +106,9 @@ inline DoubleDouble<T> sqrt(DoubleDouble<T> a) {
     return fast_two_sum(root, correction);
 }
 
-/// The arithmetic-geometric mean of a >= b > 0 (DLMF 19.8). Relative error some 2^-100. A difference of 2^-52 is one of 2^-107
-/// after the last mean; from any two doubles it takes at most 10 rounds to get there, from most 4 or 5.
+/// The arithmetic-geometric mean of a >= b > 0 (DLMF 19.8). Relative error about 2^-100 for b/a >= 1e-32. One round turns a
+/// relative difference d of a and b into about d^2/8: when d is 2^-52, the last mean is within 2^-107. That takes at most 10
+/// rounds for b/a >= 1e-32; callers have b/a > 1e-16.
 inline DoubleDouble<double> agm(DoubleDouble<double> a, DoubleDouble<double> b) {
     for (int round = 0; round < 10 && a.hi - b.hi > 0x1p-52 * a.hi; ++round) {
         const auto mean = scaled(a + b, 0.5);

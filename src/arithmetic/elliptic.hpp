@@ -1,11 +1,12 @@
-// Carlson's symmetric integral and the nome: what the closed form needs besides the arithmetic-geometric mean.
+// Carlson's elliptic integral R_F, and the nome. The closed form needs both, besides the arithmetic-geometric mean.
 #pragma once
 
 #include "arithmetic/double_double.hpp"
 
 namespace pendula::arithmetic::inline PENDULA_ISA {
 
-/// One duplication: x, y, z -> (x + lambda)/4, …, which leaves R_F as it is and shrinks the spread by 4 (DLMF 19.36.1).
+/// One step of duplication: x, y, z become (x + lambda)/4, (y + lambda)/4, (z + lambda)/4. R_F does not change, and the
+/// differences between the arguments become 4 times smaller (DLMF 19.36.1).
 template <class N>
 inline void duplicate(N& x, N& y, N& z) {
     const N a = sqrt(x), b = sqrt(y), c = sqrt(z);
@@ -16,8 +17,8 @@ inline void duplicate(N& x, N& y, N& z) {
     z = quarter(z);
 }
 
-/// R_F of arguments within a part in 500 of each other, over 1/sqrt(their mean): the first neglected terms are of the 8th
-/// order in the spread, below 1e-20 (DLMF 19.36.1).
+/// R_F(x, y, z) sqrt(mean), where mean is the mean of x, y and z, for arguments within 1/500 of each other. The truncated terms
+/// are of order 8 in the relative differences and below 1e-20 (DLMF 19.36.1).
 inline double carlson_series(double x, double y, double mean) {
     const double dx = 1.0 - x / mean;
     const double dy = 1.0 - y / mean;
@@ -28,8 +29,9 @@ inline double carlson_series(double x, double y, double mean) {
                   3.0 / 104.0 * e3 * e3 + e2 * e2 * e3 / 16.0);
 }
 
-/// R_F(x, y, z) for x, y, z >= 0, at most one of them zero, within 8 ulp (DLMF 19.16.1). From spreads of 1e-32 it takes 24
-/// duplications. N is double, or double-double for a result within 3 ulp.
+/// R_F(x, y, z) (DLMF 19.16.1) for x, y, z >= 0, of which at most one is zero. Within 8 ulp if N is double, and within 3 ulp if
+/// N is double-double. If the positive arguments differ by a factor of at most 1e32, 10 duplications are enough; the loop
+/// allows 24.
 template <class N>
 inline double carlson_rf(N x, N y, N z) {
     const auto rounded = [](auto v) {
@@ -48,14 +50,14 @@ inline double carlson_rf(N x, N y, N z) {
     return carlson_series(a, b, mean) / sqrt(mean);
 }
 
-/// The nome q of modulus k, from k^2 <= 1/2 and its complement k' (DLMF 19.5.6): within 4 ulp.
+/// The nome q of a modulus k with k^2 <= 1/2, from k^2 and the complementary modulus k' (DLMF 19.5.6). Within 4 ulp.
 template <class T>
 inline T nome(T k_squared, T complement) {
     const T root = sqrt(complement);
     const T sum = 1.0 + root;
-    const T e = 0.5 * k_squared / ((1.0 + complement) * sum * sum);  // (1 - root)/(1 + root)/2 without its difference
+    const T e = 0.5 * k_squared / ((1.0 + complement) * sum * sum);  // (1 - root)/(1 + root)/2 without its cancellation
     const T e4 = (e * e) * (e * e);
-    return e * (1.0 + e4 * (2.0 + e4 * (15.0 + e4 * 150.0)));  // next: 1707 e^16 < 4e-19
+    return e * (1.0 + e4 * (2.0 + e4 * (15.0 + e4 * 150.0)));  // the next term is below 1707 e^16 < 4e-19 of the sum
 }
 
 }  // namespace pendula::arithmetic::inline PENDULA_ISA

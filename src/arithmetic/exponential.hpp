@@ -1,4 +1,4 @@
-// exp, log and what follows from them.
+// exp, log, log1p and asinh.
 #pragma once
 
 #include "arithmetic/coefficients.hpp"
@@ -7,7 +7,7 @@
 
 namespace pendula::arithmetic::inline PENDULA_ISA {
 
-/// e^x within 0.9 ulp; 0 below -745.2 and infinite above 709.8, within 1 ulp among denormals. NaN gives NaN.
+/// e^x within 0.9 ulp; a denormal result is within 1 ulp. 0 for x < -745.2, infinity for x > 709.8. NaN gives NaN.
 template <class T>
 inline T exp(T x) {
     const T bounded = select(abs(x) < 800.0, x, copy_sign(splat<T>(800.0), x));
@@ -20,19 +20,20 @@ inline T exp(T x) {
     return select(x == x, result, x);
 }
 
-/// log(m) for m in [sqrt(1/2), sqrt(2)] given as m = 1 + f (1 + a relative 2^-53), with n ln 2 and a small correction added.
+/// log(1 + f) + n ln 2 + correction, where the correction is small and 1 + f, to the nearest double, lies in [sqrt(1/2),
+/// sqrt(2)].
 template <class T>
 inline T log_of_parts(T f, T correction, T n) {
     const T s = f / (2.0 + f);
     const T z = s * s;
     const T half = 0.5 * f * f;
-    // log(1 + f) = f - (f^2/2 - s (f^2/2 + R)), R = z (…): fdlibm's arrangement, in which f carries no rounding.
+    // log(1 + f) = f - (f^2/2 - s (f^2/2 + R)) with R = z (...), arranged as in fdlibm so that f enters without rounding.
     const T remainder = z * polynomial(z, log_remainder);
     const T tail = s * (half + remainder) + (n * ln2_parts[1] + correction);
     return n * ln2_parts[0] - ((half - tail) - f);
 }
 
-/// |x| as m 2^n with m in [sqrt(1/2), sqrt(2)).
+/// The decomposition |x| = m 2^n with m in [sqrt(1/2), sqrt(2)).
 template <class T>
 struct Binade {
     T m;
@@ -48,7 +49,7 @@ inline Binade<T> to_binade(T x) {
     return {from_bits<T>((b & 0xfffffffffffff) + 0x3fe6a09e667f3bcd), n - select(is_small, splat<T>(54.0), T{})};
 }
 
-/// The natural logarithm within 0.9 ulp; -infinity at 0, NaN below.
+/// The natural logarithm, within 0.9 ulp. 0 gives -infinity; a negative number or NaN gives NaN.
 template <class T>
 inline T log(T x) {
     const auto parts = to_binade(x);
@@ -58,13 +59,13 @@ inline T log(T x) {
     return select(x < 0.0, splat<T>(__builtin_nan("")), result);
 }
 
-/// log(1 + x) within 1.2 ulp for x > -1; -infinity at -1, NaN below.
+/// log(1 + x), within 1.2 ulp. -1 gives -infinity; a number below -1 or NaN gives NaN.
 template <class T>
 inline T log1p(T x) {
     const T u = 1.0 + x;
     const auto parts = to_binade(u);
     const T lost = select(abs(x) < 1.0, x - (u - 1.0), 1.0 - (u - x));
-    // Where 1 + x needs no shift, x itself is f.
+    // If n = 0, f is x itself and not the rounded 1 + x minus 1.
     const T f = select(parts.n == 0.0, x, parts.m - 1.0);
     T result = log_of_parts(f, select(parts.n == 0.0, T{}, lost / u), parts.n);
     result = select(abs(x) < 0x1p-54, x, result);
@@ -73,7 +74,7 @@ inline T log1p(T x) {
     return select(x < -1.0, splat<T>(__builtin_nan("")), result);
 }
 
-/// The inverse of sinh within 1.8 ulp for |x| < 1e150; odd.
+/// The inverse of sinh, within 1.8 ulp for |x| < 1e150. Odd to the last bit. NaN gives NaN.
 template <class T>
 inline T asinh(T x) {
     const T a = abs(x);

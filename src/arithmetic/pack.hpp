@@ -1,12 +1,14 @@
-// What lets a kernel be written once for a double and for a pack of doubles: types, choice, bits, rounding.
+// Types and functions by which one text of a kernel serves a double and a pack of doubles: selection by a mask, bits, rounding.
 //
-// A pack is a vector of the compiler's own; + - * / and comparisons act lane by lane with the operators of the language, so
-// that a kernel's text is the same for T = double and T = a pack, and so are its bits. Everything here and in the headers
-// that build on it lives in a namespace named after the instruction set its unit is compiled for: otherwise the linker
-// could keep, say, the AVX2 copy of a function for every processor.
+// A pack is a vector type of the compiler. + - * / and comparisons act on each lane, with the operators of the language. So a
+// kernel has the same text and the same bits for T = double and for T = a pack. Everything here, and in the headers that build
+// on this one, is in a namespace with the name of the instruction set for which its translation unit is compiled. Without these
+// namespaces the linker could keep one copy of a function, say the one for AVX2, for every processor.
 #pragma once
 
 #include <cstdint>
+
+#include "arithmetic/strict.hpp"
 
 #ifndef PENDULA_ISA
 #define PENDULA_ISA baseline
@@ -14,8 +16,8 @@
 
 namespace pendula::arithmetic::inline PENDULA_ISA {
 
-/// Two packs side by side: a wide pack, whose independent halves hide each other's latencies. (Compilers keep vectors wider
-/// than their registers in memory, but not these.)
+/// Two packs that are treated as one pack of twice the width. The operations on its halves are independent and can overlap.
+/// (Compilers keep a vector type that is wider than a register in memory; they keep the halves of a Twin in registers.)
 template <class V>
 struct Twin {
     V a;
@@ -66,7 +68,7 @@ inline Twin<V> operator!(const Twin<V>& x) {
     return {!x.a, !x.b};
 }
 
-/// Doubles in a register.
+/// The number of doubles in a register.
 #if defined(__AVX512F__)
 inline constexpr int register_width = 8;
 #elif defined(__AVX__)
@@ -123,10 +125,10 @@ inline T splat(double x) {
     if constexpr (lanes<T> == 1)
         return x;
     else
-        return x - T{};  // -0 stays -0
+        return x - T{};  // -0 stays -0, which x + T{} would make 0
 }
 
-/// a where the mask holds, b elsewhere. Both are computed.
+/// a in the lanes where the mask is true, b in the others. Both are computed.
 template <class T>
 inline T select(const Mask<T>& mask, const T& a, const T& b) {
     if constexpr (requires { mask.a; })
@@ -148,7 +150,7 @@ inline bool any(const Mask<T>& mask) {
     }
 }
 
-// Half by half: a cast of the whole would send it through memory.
+// A Twin is converted half by half: a cast of the whole would go through memory.
 template <class T>
 inline Bits<T> bits(const T& x) {
     if constexpr (requires { x.a; })
@@ -188,29 +190,29 @@ inline T sqrt(T x) {
     }
 }
 
-/// 1.5 * 2^52: added to |x| < 2^51 it leaves the whole number nearest to x in the low bits.
+/// 1.5 * 2^52. Added to x with |x| < 2^51 it gives a double whose low bits are the whole number nearest to x.
 inline constexpr double rounder = 0x1.8p52;
 
-/// The whole number nearest to x, ties to even; x itself from 2^51 on, where it has no fraction worth the name.
+/// The whole number nearest to x, ties to even. x itself for |x| >= 2^51; from 2^52 on every double is whole.
 template <class T>
 inline T round_even(T x) {
     return select(abs(x) < 0x1p51, (x + rounder) - rounder, x);
 }
 
-/// The largest whole number that is not above x.
+/// The largest whole number <= x.
 template <class T>
 inline T floor(T x) {
     const T whole = round_even(x);
     return whole - select(whole > x, splat<T>(1.0), T{});
 }
 
-/// The smallest whole number that is not below x.
+/// The smallest whole number >= x.
 template <class T>
 inline T ceiling(T x) {
     return -floor(-x);
 }
 
-/// x * 2^n for a whole number n, as two products: exact unless the result underflows. |n| <= 2000.
+/// x * 2^n for a whole number n, |n| <= 2000, by two products. Exact unless the result underflows.
 template <class T>
 inline T scale(T x, T n) {
     const T half = (n * 0.5 + rounder) - rounder;

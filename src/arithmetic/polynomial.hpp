@@ -1,11 +1,11 @@
-// Polynomials with constant coefficients, in Estrin's order: short chains of dependent operations.
+// Polynomials with constant coefficients by Estrin's scheme, which has shorter chains of dependent operations than Horner's.
 #pragma once
 
 #include "arithmetic/pack.hpp"
 
 namespace pendula::arithmetic::inline PENDULA_ISA {
 
-/// Sum of c[i] x^i for first <= i < last, divided by x^first.
+/// The sum of c[i] x^(i - first) for first <= i < last.
 template <int first, int last, int n, class T>
 inline T estrin_part(T x, const T* squarings, const double (&c)[n]) {
     constexpr int count = last - first;

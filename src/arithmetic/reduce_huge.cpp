@@ -10,11 +10,10 @@ namespace {
 
 constexpr int words = 6;  // a window of 192 bits
 
-/// The 32 bits of 2/pi that follow its first `from` bits after the binary point; zeros before it.
+/// 32 bits of 2/pi: those after the first `from` bits behind the binary point. Bits before the binary point are 0.
 std::uint32_t bits_of_two_over_pi(int from) noexcept {
     const auto word = [](int i) -> std::uint64_t { return i < 0 ? 0 : two_over_pi_words[i]; };
-    const int index = from >= 0 ? from / 32 : -((31 - from) / 32);
-    const int shift = from - 32 * index;
+    const int index = from >> 5, shift = from & 31;  // also of negative numbers
     return static_cast<std::uint32_t>(((word(index) << 32 | word(index + 1)) << shift) >> 32);
 }
 
@@ -22,8 +21,8 @@ std::uint32_t bits_of_two_over_pi(int from) noexcept {
 
 HugeReduction reduce_huge(double x) noexcept {
     if (!(abs(x) < __builtin_inf())) return {x - x, x - x, 0};
-    // |x| = m 2^e. Bits of 2/pi of weight 2^-j with j <= e - 2 give multiples of 4 and are left out, so that
-    // x 2/pi mod 4 = m w 2^-190 mod 4, w the window of 192 bits that follows.
+    // |x| = m 2^e. The bits of 2/pi with weight 2^-j, j <= e - 2, contribute multiples of 4 to x 2/pi and are left out. So x
+    // 2/pi mod 4 = m w 2^-190 mod 4, where w is the window of 192 bits behind them.
     const std::int64_t representation = bits(x);
     const int e = static_cast<int>(representation >> 52 & 0x7ff) - 1075;
     const std::uint64_t m = (static_cast<std::uint64_t>(representation) & 0xfffffffffffff) | 0x10000000000000;

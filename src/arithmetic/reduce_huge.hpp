@@ -1,16 +1,17 @@
-// Reduction of huge angles (Payne & Hanek 1983): the one function that packs call lane by lane.
+// Reduction of huge angles to a quarter turn (Payne & Hanek 1983). It is called for each lane of a pack separately.
 #pragma once
 
 namespace pendula::arithmetic {
 
-/// x = hi + lo + (pi/2) (quadrant + 4 n).
+/// The reduced angle and the quadrant: x = hi + lo + (pi/2) (quadrant + 4 n) for a whole number n.
 struct HugeReduction {
     double hi;
     double lo;
     int quadrant;
 };
 
-/// Reduces |x| >= 1. The error of hi + lo is below 2^-130, its size at most pi/4 (1 + 2^-50). Infinite x gives NaN.
+/// The reduction of x with |x| >= 1. The error of hi + lo is below 2^-130, and |hi + lo| <= pi/4 (1 + 2^-50). An infinite x or
+/// NaN gives NaN.
 HugeReduction reduce_huge(double x) noexcept;
 
 }  // namespace pendula::arithmetic

@@ -1,4 +1,4 @@
-// sin, cos and sincos, in doubles for every argument and in double-double.
+// sin, cos and sincos for every double, and sincos in double-double.
 #pragma once
 
 #include "arithmetic/coefficients.hpp"
@@ -14,7 +14,7 @@ struct SinCos {
     T cos;
 };
 
-/// An angle less a whole number of quarter turns: x = hi + lo + (pi/2) quadrant; the low two bits of quadrant count.
+/// An angle reduced by quarter turns: x = hi + lo + (pi/2) quadrant, of which only quadrant mod 4 is used.
 template <class T>
 struct Reduction {
     T hi;
@@ -22,10 +22,10 @@ struct Reduction {
     Bits<T> quadrant;
 };
 
-/// |hi + lo| <= pi/4 (1 + 2^-20), with an error below 2^-130 (1 + |x|). Infinite x and NaN give NaN.
+/// The reduction of x, with |hi + lo| <= pi/4 (1 + 2^-20) and an error below 2^-130 (1 + |x|). An infinite x or NaN gives NaN.
 template <class T>
 inline Reduction<T> reduce_to_quarter_turn(T x) {
-    constexpr double limit = 0x1p20;  // times 2/pi below 2^20, so that the products are exact
+    constexpr double limit = 0x1p20;  // x 2/pi is below 2^20, so that the products with n are exact
     const T shifted = x * two_over_pi[0] + rounder;
     const T n = shifted - rounder;
     const auto a = two_sum(x - n * pi_over_2_parts[0], -(n * pi_over_2_parts[1]));
@@ -44,7 +44,7 @@ inline Reduction<T> reduce_to_quarter_turn(T x) {
     return result;
 }
 
-/// sin and cos of hi + lo, |hi + lo| <= pi/4.
+/// sin and cos of hi + lo, for |hi + lo| <= pi/4.
 template <class T>
 inline SinCos<T> sincos_quarter(T hi, T lo) {
     const T z = hi * hi;
@@ -54,7 +54,7 @@ inline SinCos<T> sincos_quarter(T hi, T lo) {
             w + (((1.0 - w) - half) + (z * z * polynomial(z, cos_quarter) - hi * lo))};
 }
 
-/// Turns (sin, cos) of a reduced angle into those of the angle.
+/// sin and cos of an angle, from those of the reduced angle and the quadrant.
 template <class T>
 inline SinCos<T> rotate_quadrants(SinCos<T> r, Bits<T> quadrant) {
     const auto is_odd = (quadrant & 1) != 0;
@@ -63,12 +63,13 @@ inline SinCos<T> rotate_quadrants(SinCos<T> r, Bits<T> quadrant) {
     return {from_bits<T>(bits(s) ^ (quadrant & 2) << 62), from_bits<T>(bits(c) ^ ((quadrant + 1) & 2) << 62)};
 }
 
-/// sin x and cos x within 0.95 ulp for every finite x; odd and even to the bit. Infinite x and NaN give NaN.
+/// sin x and cos x, within 0.95 ulp for every finite x. sin is odd and cos is even to the last bit. An infinite x or NaN gives
+/// NaN.
 template <class T>
 inline SinCos<T> sincos(T x) {
     const auto r = reduce_to_quarter_turn(x);
     auto result = rotate_quadrants(sincos_quarter(r.hi, r.lo), r.quadrant);
-    result.sin = select(abs(x) < 0x1p-27, x, result.sin);  // -0 and denormals
+    result.sin = select(abs(x) < 0x1p-27, x, result.sin);  // keeps -0 and denormal numbers
     return result;
 }
 
@@ -82,7 +83,7 @@ inline T cos(T x) {
     return sincos(x).cos;
 }
 
-/// sin(pi f) and cos(pi f) for |f| <= 1/2 (1 + 2^-50), within 3 ulp; exactly 1 and 0 at 1/2.
+/// sin(pi f) and cos(pi f) for |f| <= 1/2 (1 + 2^-50), within 3 ulp. Exactly +-1 and 0 for f = +-1/2.
 template <class T>
 inline SinCos<T> sincos_of_half_turn(T f) {
     const T a = abs(f);
@@ -94,8 +95,8 @@ inline SinCos<T> sincos_of_half_turn(T f) {
     return {copy_sign(select(is_steep, c, s), f), select(is_steep, s, c)};
 }
 
-/// sin and cos in double-double for |x| <= 2^1023, absolute error below 2^-103 and relative 2^-100 but near the zeros of
-/// huge arguments. Taylor's series to the 28th power on |x| <= pi/4. For scalars: it loops.
+/// sin x and cos x in double-double for |x| <= 2^1023, by the Taylor series up to power 28 on |x| <= pi/4. The absolute error
+/// is below 2^-103. The relative error is below 2^-100, except near the zeros for huge arguments. It is used for scalars only.
 template <class T>
 inline SinCos<DoubleDouble<T>> sincos_double_double(T x) {
     const auto r = reduce_to_quarter_turn(x);

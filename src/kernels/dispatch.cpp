@@ -21,28 +21,42 @@ extern const Kernels kernels;
 
 namespace {
 
-#if defined PENDULA_HAS_AVX2 || defined PENDULA_HAS_AVX512
-const Kernels& choose() noexcept {
-    const char* forced = std::getenv("PENDULA_ISA");
-    const auto wants = [forced](const Kernels& k) { return !forced || std::strcmp(forced, k.name) == 0; };
+struct Choice {
+    const Kernels* kernels = nullptr;
+    bool is_available = false;
+};
+
+Choice choose() noexcept {
+#ifdef __wasm__  // a module without imports has no environment variables
+    const char* const asked = nullptr;
+#else
+    const char* const asked = std::getenv("PENDULA_ISA");
+#endif
+    Choice choice{.is_available = !asked};
+    // The instruction sets of the processor are offered from the widest to the narrowest.
+    const auto offer = [&](const Kernels& kernels) {
+        if (!choice.kernels) choice.kernels = &kernels;
+        if (asked && std::strcmp(asked, kernels.name) == 0) choice = {&kernels, true};
+    };
 #ifdef PENDULA_HAS_AVX512
-    if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && wants(avx512::kernels))
-        return avx512::kernels;
+    if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq")) offer(avx512::kernels);
 #endif
 #ifdef PENDULA_HAS_AVX2
-    if (__builtin_cpu_supports("avx2") && wants(avx2::kernels)) return avx2::kernels;
+    if (__builtin_cpu_supports("avx2")) offer(avx2::kernels);
 #endif
-    return baseline::kernels;
+    offer(baseline::kernels);
+    return choice;
 }
-#else  // no choice, and no environment to read: a WebAssembly module imports nothing
-const Kernels& choose() noexcept { return baseline::kernels; }
-#endif
+
+const Choice& choice() noexcept {
+    static const Choice chosen = choose();
+    return chosen;
+}
 
 }  // namespace
 
-const Kernels& dispatch() noexcept {
-    static const Kernels& chosen = choose();
-    return chosen;
-}
+const Kernels& dispatch() noexcept { return *choice().kernels; }
+
+bool is_choice_available() noexcept { return choice().is_available; }
 
 }  // namespace pendula::kernels

@@ -1,33 +1,35 @@
-// The kernels of each instruction set, and the choice among them at run time.
+// The kernels of each instruction set, and the choice of one set at run time.
 #pragma once
 
 #include <cstddef>
 
 #include "kernels/chunk.hpp"
-#include "kernels/taylor_chunk.hpp"
 #include "pendula/exact.hpp"
 
 namespace pendula::kernels {
 
-/// What one instruction set offers; every set gives the same bits.
+/// The kernels of one instruction set. All sets give the same bits.
 struct Kernels {
     const char* name;
     void (*exact)(const Exact& solution, std::size_t n, const double* t, double* theta, double* omega, double* turns);
 
-    /// Steps of every member, of its own length h, from the time row_time + first h. `first` is a whole number of blocks. The
-    /// second moves tangent vectors as well.
-    void (*rk4)(Chunk& chunk, const double* row_time, const double* h, double first, int steps);
-    void (*rk4_tangent)(Chunk& chunk, const double* row_time, const double* h, double first, int steps);
+    /// Integrates every member by `steps` steps of its own length h [s], from the time row_time + first h. `first` is a
+    /// multiple of block_steps. rk4_tangent also integrates the displacements.
+    void (*rk4)(Chunk& chunk, const Row& row_time, const Row& h, double first, int steps);
+    void (*rk4_tangent)(Chunk& chunk, const Row& row_time, const Row& h, double first, int steps);
 
-    /// Steps of Taylor's method of every member up to its time t, which may not be before the step that it is at; then the
-    /// chunk has the states there. At most so many steps: false when some member needs more, and the call is to be repeated.
-    /// The second moves tangent vectors as well.
-    bool (*taylor)(Chunk& chunk, TaylorChunk& steps, const double* t, int most);
-    bool (*taylor_tangent)(Chunk& chunk, TaylorChunk& steps, const double* t, int most);
+    /// Integrates every member by Taylor's method to its time t [s], which must not be before the start of its present step;
+    /// the chunk then holds the states at these times. At most `most` steps are made for each pack. Returns false if a member
+    /// needs more: the call must then be repeated. taylor_tangent also integrates the displacements.
+    bool (*taylor)(Chunk& chunk, TaylorChunk& steps, const Row& t, int most);
+    bool (*taylor_tangent)(Chunk& chunk, TaylorChunk& steps, const Row& t, int most);
 };
 
-/// The widest set that this processor has, or the one that the environment variable PENDULA_ISA names (baseline, avx2,
-/// avx512) where it is had. Decided once.
+/// The kernels of the widest instruction set of this processor, or of the set that the environment variable PENDULA_ISA names
+/// (baseline, avx2, avx512). The choice is made once.
 const Kernels& dispatch() noexcept;
+
+/// False if PENDULA_ISA is set and does not name an instruction set of this processor; an empty value names none.
+bool is_choice_available() noexcept;
 
 }  // namespace pendula::kernels

@@ -38,10 +38,13 @@ struct Argument {
     T x;
 };
 
-/// Past 100, on the separatrix only, the angle is pi to the last bit and the velocity below 1e-43; the powers stay finite.
+/// Beyond this argument of sinh and cosh, which only the separatrix reaches, theta is the last double below pi.
+inline constexpr double far_argument = 100;
+
+/// An argument beyond `far_argument` is taken as that one, so that sinh stays finite.
 template <class T>
 inline Argument<T> hyperbolic_argument(T zeta) {
-    const T e = exp(select(abs(zeta) > 100.0, copy_sign(splat<T>(100.0), zeta), zeta));
+    const T e = exp(select(abs(zeta) > far_argument, copy_sign(splat<T>(far_argument), zeta), zeta));
     const T inverse = 1.0 / e;
     const T s = 0.5 * (e - inverse);
     return {s, 0.5 * (e + inverse), -(s * s)};
@@ -108,9 +111,49 @@ inline Swing<T> state_of(const Exact& e, T whole, const HalfTangent<T>& h) {
     return swinging<T>(alternate(theta, whole), alternate(h.omega, whole), splat<T>(e.turns));
 }
 
+/// The state at |t| <= ordinary_time(e).
 template <class T>
 inline Swing<T> closed_form(const Exact& e, T t) {
     const auto p = phase_of(e, t);
+    return state_of(e, p.whole, half_tangent(e, p.fraction));
+}
+
+/// Up to so many tau `phase_at` is right to 2^-58, and no latest time is earlier.
+inline constexpr double ordinary_periods = 0x1p20;
+
+/// The largest |t| [s] that `closed_form` serves; later times, which are rare, are left to `late_closed_form`.
+inline double ordinary_time(const Exact& e) {
+    if (e.analysis.regime == Regime::separatrix) return (far_argument - abs(e.phase)) / abs(e.rate_hi);
+    return ordinary_periods * e.analysis.tau;
+}
+
+/// The phase of an oscillation or a rotation; NaN beyond the latest time.
+inline Phase<double> late_phase(const Exact& e, double start, double t) {
+    const auto p = late_phase_at<double>(t, {e.rate_hi, e.rate_lo}, start);
+    // Turns count all whole numbers; the sign of an oscillation asks only for even or odd.
+    const double whole = e.analysis.regime == Regime::rotation ? p.fours + p.whole : p.whole;
+    return {whole, abs(t) <= e.latest ? p.fraction : __builtin_nan("")};
+}
+
+/// The state far along the separatrix; NaN at infinite times.
+inline Swing<double> far_along_separatrix(const Exact& e, double t) {
+    if (!(abs(t) <= e.latest)) return {__builtin_nan(""), __builtin_nan(""), e.turns};
+    const double leading = t * e.rate_hi;
+    // From 2^20 on t rate_lo changes nothing that counts, and it may overflow.
+    const double zeta = e.phase + (abs(leading) < 0x1p20 ? leading + t * e.rate_lo : leading);
+    auto half = half_tangent(e, zeta);
+    if (abs(zeta) > far_argument) {
+        // 1/cosh(zeta) is 2 exp(-|zeta|) to the last bit. The root of that is a normal number wherever omega is not 0.
+        const double root = exp(-0.5 * abs(zeta));
+        half.omega = (2 * e.speed_num[0] * root) * root;
+    }
+    return state_of(e, 0.0, half);
+}
+
+/// The state at a time beyond `ordinary_time`; NaN beyond the latest.
+inline Swing<double> late_closed_form(const Exact& e, double t) {
+    if (e.analysis.regime == Regime::separatrix) return far_along_separatrix(e, t);
+    const auto p = late_phase(e, e.phase, t);
     return state_of(e, p.whole, half_tangent(e, p.fraction));
 }
 

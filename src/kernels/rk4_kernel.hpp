@@ -1,49 +1,46 @@
-// Runge-Kutta's method of order 4 (3.10) for one pendulum or a pack of them, in blocks of steps.
+// The Runge-Kutta method of order 4 (3.10), for one pendulum or a pack of them, in blocks of steps.
 //
-// The sines of a step lie close to sin(theta): sin(theta + d) = sin + (sin (cos d - 1) + cos sin d) with short polynomials in
-// d costs less than a new sine. Within a block sine and cosine of theta are carried along in the same way; a block starts
-// with new ones. Angle and velocity carry the rounding of their sums from block to block, and within a block only their small
-// changes are summed, so that rounding hardly grows with the number of steps.
+// In a short step the angles of the four stages are close to theta. Then
+//     sin(theta + d) = sin(theta) + (sin(theta) (cos(d) - 1) + cos(theta) sin(d)),
+// with short polynomials in d, costs less than a new sine. Within a block sine and cosine of theta are updated from step to
+// step in the same way; each block starts with newly computed ones. Within a block only the changes of angle and velocity are
+// summed. At its end they are added by compensated summation. So the rounding error hardly grows with the number of steps.
 #pragma once
 
 #include "arithmetic/polynomial.hpp"
+#include "kernels/equation.hpp"
 #include "kernels/motion.hpp"
 #include "kernels/phase_kernel.hpp"
 
 namespace pendula::kernels::inline PENDULA_ISA {
 
-/// Steps of a block, counted from the last row: rounding moves the carried sine and cosine by some 10 ulp at most.
+/// The number of steps of a block; blocks are counted from the last row. In so many steps the rounding errors of the updated
+/// sine and cosine stay below about 10 ulp.
 inline constexpr int block_steps = 32;
 
-/// A step's constants. Velocities are counted in angle per step, v = omega h, and accelerations likewise, times h^2.
+/// The constants of a step. The unit of time is the step: v = omega h is the angle per step.
 template <class T>
 struct Rk4Step {
     T h;
-    T per_step;           ///< 1/h; 0 where h is 0, and nothing moves
-    T pull;               ///< alpha h^2
-    T drag;               ///< beta h
-    T torque;             ///< torque h^2
-    T drive;              ///< drive_amplitude h^2
+    T per_step;  ///< 1/h; 0 if h is 0, when a step changes nothing
+    Terms<T> terms;
     Rate<T> rate;         ///< drive_frequency/(2 pi)
     T start;              ///< drive_phase/(2 pi)
-    SinCos<T> half_step;  ///< of drive_frequency h/2
+    SinCos<T> half_step;  ///< sine and cosine of drive_frequency h/2
 };
 
 template <class T>
-inline Rk4Step<T> rk4_constants(T alpha, T beta, T torque, T drive_amplitude, T drive_frequency, T drive_phase, T h) {
+inline Rk4Step<T> rk4_constants(const Parameters<T>& p, T h) {
     const DoubleDouble<T> inverse{splat<T>(inverse_two_pi_dd[0]), splat<T>(inverse_two_pi_dd[1])};
     return {h,
             select(h == 0.0, T{}, 1.0 / h),
-            alpha * h * h,
-            beta * h,
-            torque * h * h,
-            drive_amplitude * h * h,
-            to_rate(inverse * drive_frequency),
-            inverse.hi * drive_phase,
-            sincos(0.5 * drive_frequency * h)};
+            terms(p, h),
+            to_rate(inverse * p.drive_frequency),
+            inverse.hi * p.drive_phase,
+            sincos(0.5 * p.drive_frequency * h)};
 }
 
-/// sin d and cos d - 1 for |d| <= short_limit, within 5e-17.
+/// sin d and cos d - 1 for |d| <= short_limit, with an absolute error below 5e-17.
 inline constexpr double short_limit = 1.0 / 48;
 template <class T>
 inline SinCos<T> short_increments(T d) {
@@ -51,7 +48,7 @@ inline SinCos<T> short_increments(T d) {
     return {d + d * (q * polynomial(q, sin_short)), q * (-0.5 + q * polynomial(q, cos_short))};
 }
 
-/// sin d and cos d - 1 for |d| <= medium_limit, within 2e-16.
+/// sin d and cos d - 1 for |d| <= medium_limit, with an absolute error below 2e-16.
 inline constexpr double medium_limit = 0.75;
 template <class T>
 inline SinCos<T> medium_increments(T d) {
@@ -59,20 +56,21 @@ inline SinCos<T> medium_increments(T d) {
     return {d + d * (q * polynomial(q, sin_quarter)), q * (-0.5 + q * polynomial(q, cos_quarter))};
 }
 
-/// sin(x + d) and cos(x + d) from those of x and the increments of d.
+/// sin(x + d) and cos(x + d), from sin x and cos x and from d.sin = sin d and d.cos = cos d - 1.
 template <class T>
 inline SinCos<T> turned_by(SinCos<T> x, SinCos<T> d) {
     return {x.sin + (x.sin * d.cos + x.cos * d.sin), x.cos + (x.cos * d.cos - x.sin * d.sin)};
 }
 
-/// What a block of small steps carries: sine and cosine of the angle, and the velocity per step.
+/// The state within a block of short steps: sine and cosine of the angle, the velocity, and the sums of the changes of angle
+/// and velocity.
 template <class T>
 struct Carried {
     SinCos<T> angle;
     T v;
-    T start;     ///< v at the block's beginning
-    T change{};  ///< of v since
-    T way{};     ///< of the angle since
+    T start;     ///< v at the start of the block
+    T change{};  ///< of v, since the start of the block
+    T angle_change{};
 
     Carried(const Motion<T>& x, T h) : v(x.omega * h), start(v) {
         const auto r = sincos(x.theta);
@@ -80,27 +78,33 @@ struct Carried {
     }
 
     void step(T d_theta, T d_v) {
-        way = way + d_theta;
+        angle_change = angle_change + d_theta;
         change = change + d_v;
         v = start + change;
     }
 };
 
-/// Steps without friction or force and so small, |v| <= near_limit and p = alpha h^2 <= near_pull, that their sines are
-/// expanded about the middle B = theta + eta, eta = v/2. With sin C = sin B - a cos B - a^2/2 sin B, a = (p/4) sin A, and sin D
-/// likewise about theta + v, (3.10) becomes in s = (p/6) sin B, c = (p/6) cos B, m = s (2 + cos eta), t = c sin eta
+/// Steps of a free pendulum with |v| <= near_limit and p = alpha h^2 <= near_pull, expanded about the middle of the step.
+///
+/// The middle is B = theta + eta with eta = v/2. The sine of the third stage is expanded about B:
+///     sin C = sin B - a cos B - a^2/2 sin B,  a = (p/4) sin A.
+/// That of the fourth stage is expanded in the same way about theta + v. With
+///     s = (p/6) sin B,  c = (p/6) cos B,  m = s (2 + cos(eta)),  t = c sin(eta)
+/// (3.10) becomes
 ///     theta' - theta = v + bend,  bend = t - m + 3/2 c (s - t)
 ///     eta' - eta     = s (3 c cos(eta) + 27/8 s^2) - p^2/24 sin(eta) - m
-/// but for terms below 1e-17. Of the angle only s and c are carried on: turned by v, then by the small rest bend + eta' - eta.
+/// with truncated terms below 1e-17. Of the angle only s and c are needed. For the next step they are rotated by B' - B: first
+/// by v, then by the small remainder bend + eta' - eta.
 inline constexpr double near_limit = 1.0 / 256;
 inline constexpr double near_pull = 4e-6;
 template <class T>
 inline void near_steps(const Rk4Step<T>& k, Motion<T>& x, int steps) {
-    const T unit = k.pull * (1.0 / 6.0), squared = k.pull * k.pull * (1.0 / 24.0);
+    const T pull = k.terms.pull;
+    const T unit = pull * (1.0 / 6.0), squared = pull * pull * (1.0 / 24.0);
     const T start = 0.5 * (x.omega * k.h);
     auto middle = turned_by(sincos(x.theta), short_increments(start + x.theta_lo));
     middle = {unit * middle.sin, unit * middle.cos};
-    T eta = start, change{}, way{};
+    T eta = start, change{}, angle_change{};
     for (int i = 0; i < steps; ++i) {
         const T q = eta * eta;
         const T sine = eta + eta * (q * (-1.0 / 6.0));
@@ -114,69 +118,70 @@ inline void near_steps(const Rk4Step<T>& k, Motion<T>& x, int steps) {
         const T rest = bend + d_eta;
         const T half_square = (0.5 * rest) * rest;
         middle = {end.sin + (rest * end.cos - half_square * end.sin), end.cos - (rest * end.sin + half_square * end.cos)};
-        way = way + ((eta + eta) + bend);
+        angle_change = angle_change + ((eta + eta) + bend);
         change = change + d_eta;
         eta = start + change;
     }
-    add(x, way, (change + change) * k.per_step);
+    add(x, angle_change, (change + change) * k.per_step);
 }
 
-/// The accelerations of a step's four stages and, if asked for, of a tangent vector. Undriven, bits are those of a drive of 0.
-template <bool is_driven, bool has_tangent, class T>
+/// The four stages of a step for the motion and, if requested, for a displacement.
+template <Forcing forcing, bool has_tangent, class T>
 struct Stages {
     const Rk4Step<T>& k;
-    SinCos<T> drive;  ///< of the drive's phase, which goes through the step
+    SinCos<T> drive;  ///< sine and cosine of the phase of the drive, at the current stage
     Tangent<T> tangent;
 
-    T force() const {
-        if constexpr (is_driven) return k.torque + k.drive * drive.cos;
-        return k.torque;
-    }
+    Acting<T> now() const { return acting<forcing>(k.terms, drive.cos); }
 
-    T acceleration(T force, SinCos<T> angle, T v) const { return force - k.pull * angle.sin - k.drag * v; }
-
-    T tangent_acceleration(SinCos<T> angle, Tangent<T> d) const { return -(k.pull * angle.cos) * d.theta - k.drag * d.omega; }
-
-    void go_half_step() {
-        if constexpr (!is_driven) return;
+    void advance_drive() {
+        if constexpr (forcing < Forcing::driven) return;
         drive = {drive.sin * k.half_step.cos + drive.cos * k.half_step.sin,
                  drive.cos * k.half_step.cos - drive.sin * k.half_step.sin};
     }
 
-    /// (3.10): what it adds to angle and v, with angle_at(d) = (sin, cos)(theta + d). Moves drive and tangent by the step.
+    /// The increments of angle and v in one step of (3.10). a = (sin, cos)(theta) and angle_at(d) = (sin, cos)(theta + d). Also
+    /// advances the phase of the drive, and the displacement, by one step.
     template <class AngleAt>
     Tangent<T> step(T v, SinCos<T> a, AngleAt angle_at) {
-        const T ka = acceleration(force(), a, v);
-        go_half_step();
-        const T middle_force = force();
+        const auto start = now();
+        const T ka = acceleration(k.terms, start, a.sin, v);
+        advance_drive();
+        const auto middle = now();
         const auto b = angle_at(0.5 * v);
         const T vb = v + 0.5 * ka;
-        const T kb = acceleration(middle_force, b, vb);
+        const T kb = acceleration(k.terms, middle, b.sin, vb);
         const auto c = angle_at(0.5 * vb);
         const T vc = v + 0.5 * kb;
-        const T kc = acceleration(middle_force, c, vc);
-        go_half_step();
+        const T kc = acceleration(k.terms, middle, c.sin, vc);
+        advance_drive();
+        const auto end = now();
         const auto d = angle_at(vc);
-        const T kd = acceleration(force(), d, v + kc);
-        if constexpr (has_tangent) move_tangent(a, b, c, d);
-        const T inner = kb + kc;
-        return {v + (ka + inner) * (1.0 / 6.0), ((ka + kd) + (inner + inner)) * (1.0 / 6.0)};
+        const T kd = acceleration(k.terms, end, d.sin, v + kc);
+        if constexpr (has_tangent) {
+            const auto at = tangent;
+            const T ta = tangent_acceleration(k.terms, start, a.cos, at);
+            const Tangent<T> at_b{at.theta + 0.5 * at.omega, at.omega + 0.5 * ta};
+            const T tb = tangent_acceleration(k.terms, middle, b.cos, at_b);
+            const Tangent<T> at_c{at.theta + 0.5 * at_b.omega, at.omega + 0.5 * tb};
+            const T tc = tangent_acceleration(k.terms, middle, c.cos, at_c);
+            const T td = tangent_acceleration(k.terms, end, d.cos, {at.theta + at_c.omega, at.omega + tc});
+            const auto bend = weighted(ta, tb, tc, td);
+            tangent = {at.theta + at.omega + bend.theta, at.omega + bend.omega};
+        }
+        const auto bend = weighted(ka, kb, kc, kd);
+        return {v + bend.theta, bend.omega};
     }
 
-    void move_tangent(SinCos<T> a, SinCos<T> b, SinCos<T> c, SinCos<T> d) {
-        const auto at = tangent;
-        const T ka = tangent_acceleration(a, at);
-        const Tangent<T> at_b{at.theta + 0.5 * at.omega, at.omega + 0.5 * ka};
-        const T kb = tangent_acceleration(b, at_b);
-        const Tangent<T> at_c{at.theta + 0.5 * at_b.omega, at.omega + 0.5 * kb};
-        const T kc = tangent_acceleration(c, at_c);
-        const T kd = tangent_acceleration(d, {at.theta + at_c.omega, at.omega + kc});
-        const T inner = kb + kc;
-        tangent = {at.theta + at.omega + (ka + inner) * (1.0 / 6.0), at.omega + ((ka + kd) + (inner + inner)) * (1.0 / 6.0)};
+    /// The increments of angle (without v) and velocity, from the accelerations of the four stages.
+    static Tangent<T> weighted(T a, T b, T c, T d) {
+        const T inner = b + c;
+        return {(a + inner) * (1.0 / 6.0), ((a + d) + (inner + inner)) * (1.0 / 6.0)};
     }
 };
 
-/// Steps so short that sines follow each other by small increments.
+/// Steps in which the angle changes by at most short_limit: all sines by short polynomials, from the sine and cosine of the
+/// step before.
 template <class Stages, class T>
 inline void short_steps(Stages& stages, Motion<T>& x, int steps) {
     Carried<T> at(x, stages.k.h);
@@ -186,10 +191,11 @@ inline void short_steps(Stages& stages, Motion<T>& x, int steps) {
         at.angle = turned_by(angle, short_increments(d.theta));
         at.step(d.theta, d.omega);
     }
-    add(x, at.way, at.change * stages.k.per_step);
+    add(x, at.angle_change, at.change * stages.k.per_step);
 }
 
-/// Steps of angles up to medium_limit: one sine anew, three by increments as long as polynomials go.
+/// Steps in which the angle changes by at most medium_limit: one new sine and cosine for each step, and the other three by
+/// longer polynomials.
 template <class Stages, class T>
 inline void medium_steps(Stages& stages, Motion<T>& x, int steps) {
     for (int i = 0; i < steps; ++i) {
@@ -200,7 +206,7 @@ inline void medium_steps(Stages& stages, Motion<T>& x, int steps) {
     }
 }
 
-/// Steps of any length: every sine anew.
+/// Steps of any length: four new sines.
 template <class Stages, class T>
 inline void large_steps(Stages& stages, Motion<T>& x, int steps) {
     for (int i = 0; i < steps; ++i) {
@@ -210,15 +216,16 @@ inline void large_steps(Stages& stages, Motion<T>& x, int steps) {
     }
 }
 
-/// A block whose steps are not near, of angles up to `reach`.
-template <bool is_driven, bool has_tangent, class T>
-inline void forced_block(const Rk4Step<T>& k, DoubleDouble<T> t, Motion<T>& x, Tangent<T>& tangent, T reach, int steps) {
+/// A block of steps that `near_steps` does not cover. `largest` bounds the change of the angle within a step.
+template <Forcing forcing, bool has_tangent, class T>
+inline void forced_block(const Rk4Step<T>& k, DoubleDouble<T> t, Motion<T>& x, Tangent<T>& tangent, T largest, int steps) {
     SinCos<T> drive{};
-    if constexpr (is_driven) drive = sincos(two_pi_dd[0] * phase_at(t.hi, k.rate, k.start + t.lo * k.rate.whole).fraction);
-    const auto is_damped = abs(k.drag) <= 0.125;
-    const auto is_short = is_damped & (reach <= short_limit);
-    const auto is_medium = is_damped & (reach <= medium_limit);
-    Stages<is_driven, has_tangent, T> by_short{k, drive, {tangent.theta, tangent.omega * k.h}};
+    if constexpr (forcing >= Forcing::driven)
+        drive = sincos(two_pi_dd[0] * phase_at(t.hi, k.rate, k.start + t.lo * k.rate.whole).fraction);
+    const auto is_bounded = abs(k.terms.drag) <= 0.125;  // as `largest_change` requires
+    const auto is_short = is_bounded & (largest <= short_limit);
+    const auto is_medium = is_bounded & (largest <= medium_limit);
+    Stages<forcing, has_tangent, T> by_short{k, drive, {tangent.theta, tangent.omega * k.h}};
     auto by_medium = by_short, by_large = by_short;
     Motion<T> after_short = x, after_medium = x, after_large = x;
     if (any<T>(is_short)) short_steps(by_short, after_short, steps);
@@ -229,24 +236,23 @@ inline void forced_block(const Rk4Step<T>& k, DoubleDouble<T> t, Motion<T>& x, T
     tangent = {moved.theta, moved.omega * k.per_step};
 }
 
-/// Up to `block_steps` steps from time t; each lane by the way that its own constants and angles allow. The tangent vector
-/// goes along if there is one.
+/// Makes up to block_steps steps from time t. Each lane uses the method that its own constants and angles allow, so that its
+/// bits do not depend on the other lanes. The displacement follows if has_tangent is true.
 template <bool has_tangent, class T>
 inline void rk4_block(const Rk4Step<T>& k, DoubleDouble<T> t, Motion<T>& x, Tangent<T>& tangent, int steps) {
-    // No angle of the block exceeds this: a step adds at most the forces to v, and friction up to 1/8 a step a tenth to a
-    // stage.
-    const T reach = 1.25 * (abs(x.omega * k.h) + (steps + 1.0) * (k.pull + abs(k.torque) + abs(k.drive)));
-    const auto is_free = (k.drag == 0.0) & (k.torque == 0.0) & (k.drive == 0.0);
-    const auto is_near =
-        (reach <= near_limit) & is_free & (k.pull <= (has_tangent ? -1.0 : near_pull));  // near steps carry no tangent
+    const T largest = largest_change(k.terms, x.omega * k.h, steps);
+    const auto is_near = (largest <= near_limit) & is_free(k.terms) &
+                         (k.terms.pull <= (has_tangent ? -1.0 : near_pull));  // near_steps has no displacements
 
     Motion<T> near = x, forced = x;
     if (any<T>(is_near)) near_steps(k, near, steps);
     if (any<T>(!is_near)) {
-        if (any<T>(k.drive != 0.0))
-            forced_block<true, has_tangent>(k, t, forced, tangent, reach, steps);
+        if (any<T>(k.terms.pivot != 0.0))
+            forced_block<Forcing::shaken, has_tangent>(k, t, forced, tangent, largest, steps);
+        else if (any<T>(k.terms.drive != 0.0))
+            forced_block<Forcing::driven, has_tangent>(k, t, forced, tangent, largest, steps);
         else
-            forced_block<false, has_tangent>(k, t, forced, tangent, reach, steps);
+            forced_block<Forcing::steady, has_tangent>(k, t, forced, tangent, largest, steps);
     }
     x = choose<T>(is_near, near, forced);
 }

@@ -1,27 +1,86 @@
-// Like kernels.cpp, of which it is apart for its compiler flags: compiled once for each instruction set.
+// The kernels of Taylor's method for chunks. Like kernels.cpp this file is compiled once for each instruction set. Each lane of
+// a pack has its own steps and its own target time.
 #include "kernels/dispatch.hpp"
-#include "kernels/taylor_flight.hpp"
+#include "kernels/packs.hpp"
+#include "kernels/taylor_kernel.hpp"
 
 namespace pendula::kernels::inline PENDULA_ISA {
 
 namespace {
 
-// Not wider than a register: a series must stay near.
+// One register wide: the series of a wider pack would need more memory.
 using T = Pack<register_width>;
 
+/// The target times of the lanes. The target of a lane without a member is the start of its own step: it is reached at once,
+/// and no other lane waits for it.
+T target_times(const Chunk& chunk, const TaylorChunk& steps, const Row& t, int i) {
+    T target = load<T>(t, i);
+    for (int j = chunk.count - i; j < lanes<T>; ++j) lane(target, j) = steps.step.t[i + j];
+    return target;
+}
+
+/// Advances the lanes that have not reached their targets by one step. The other lanes compute their present step again, with
+/// the same result.
 template <bool has_tangent>
-bool fly_chunk(Chunk& chunk, TaylorChunk& steps, const double* t, int most) {
+void next_step(const TaylorPendulum<T>& p, StepControl control, const Mask<T>& goes_on, TaylorStep<T>& step,
+               TangentStep<T>& tangent) {
+    if constexpr (has_tangent) tangent.start = choose(goes_on, tangent_at(tangent, step.unit, step.length), tangent.start);
+    step.start = choose(goes_on, motion_at(step, step.length), step.start);
+    const auto t = end_of(step.t, step.t_lo, step.length);
+    step.t = select<T>(goes_on, t.hi, step.t);
+    step.t_lo = select<T>(goes_on, t.lo, step.t_lo);
+    Series<T> C;
+    expand(p, control, step, C);
+    if constexpr (has_tangent) {
+        expand_tangent(p, control.order, step.unit, C, tangent);
+        // If the motion hardly changes, as near the top, its series would allow steps that are too long for the displacement.
+        if (const auto is_shaken = p.parameters.pivot_amplitude != 0.0; any<T>(is_shaken)) {
+            const T longest = taylor_length(control, tangent.u[0], tangent.u) * step.unit;
+            step.length = select<T>(is_shaken & (longest < step.length), longest, step.length);
+        }
+    }
+}
+
+/// Integrates the members i, i + 1, ... of one pack to their target times by at most `most` steps, and stores their states
+/// there in the chunk. Returns false if more steps are needed.
+template <bool has_tangent>
+bool advance_pack(Chunk& chunk, TaylorChunk& steps, const Row& t, int most, int i) {
+    const auto p = taylor_pendulum(load<T, Parameters>(chunk.parameters, i));
+    const StepControl control{steps.order, steps.log2_fraction};
+    const T target = target_times(chunk, steps, t, i);
+    auto step = load<T, TaylorStep>(steps.step, i);
+    TangentStep<T> tangent{};
+    if constexpr (has_tangent) tangent = load<T, TangentStep>(steps.tangent, i);
+    int taken = 0;
+    auto goes_on = ends_before(step, target);
+    for (; taken < most && any<T>(goes_on); ++taken) {
+        next_step<has_tangent>(p, control, goes_on, step, tangent);
+        stop_endless(step, target);
+        goes_on = ends_before(step, target);
+    }
+    if (taken > 0) store<T, TaylorStep>(steps.step, i, step);
+    const T since = (target - step.t) - step.t_lo;
+    store<T, Motion>(chunk.motion, i, motion_at(step, since));
+    if constexpr (has_tangent) {
+        store<T, TangentStep>(steps.tangent, i, tangent);
+        store<T, Tangent>(chunk.tangent, i, tangent_at(tangent, step.unit, since));
+    }
+    return !any<T>(goes_on);
+}
+
+template <bool has_tangent>
+bool advance_chunk(Chunk& chunk, TaylorChunk& steps, const Row& t, int most) {
     bool all_there = true;
-    for (int i = 0; i < chunk.count; i += lanes<T>) all_there &= fly<has_tangent, T>(chunk, steps, t, most, i);
+    for (int i = 0; i < chunk.count; i += lanes<T>) all_there &= advance_pack<has_tangent>(chunk, steps, t, most, i);
     return all_there;
 }
 
 }  // namespace
 
-bool taylor(Chunk& chunk, TaylorChunk& steps, const double* t, int most) { return fly_chunk<false>(chunk, steps, t, most); }
+bool taylor(Chunk& chunk, TaylorChunk& steps, const Row& t, int most) { return advance_chunk<false>(chunk, steps, t, most); }
 
-bool taylor_tangent(Chunk& chunk, TaylorChunk& steps, const double* t, int most) {
-    return fly_chunk<true>(chunk, steps, t, most);
+bool taylor_tangent(Chunk& chunk, TaylorChunk& steps, const Row& t, int most) {
+    return advance_chunk<true>(chunk, steps, t, most);
 }
 
 }  // namespace pendula::kernels::inline PENDULA_ISA

@@ -1,14 +1,11 @@
-// Solves a fixed set of problems and prints, for each section, a hash of the bits of all its results. The hashes are the
-// same wherever the core is built: see tests/bits/test_bits.py. `golden SECTION` lists the results instead of hashing them.
-// Only headers of the language and of pendula: in a WebAssembly module without imports there is nothing else.
+// Solves a fixed set of problems and prints, for each section, a hash of the bits of all its results. The hashes are the same
+// for every build of the core: see tests/bits/test_bits.py. `golden SECTION` prints the results instead of their hash. This
+// file includes only headers of the language and of pendula, because a WebAssembly module without imports has no others.
 #include <bit>
 #include <cstddef>
 #include <cstdint>
 
-#include "pendula/actividad3.hpp"
-#include "pendula/angle.hpp"
-#include "pendula/ensemble.hpp"
-#include "pendula/measure.hpp"
+#include "pendula/pendula.hpp"
 
 #ifdef __wasm__
 #define EXPORT(name) __attribute__((export_name(#name)))
@@ -22,7 +19,7 @@ namespace {
 
 void (*listener)(double) = nullptr;
 
-// FNV-1a, 64 bits, over the bytes of doubles, least significant first. -0 is not 0, and all NaNs are one.
+// The hash FNV-1a with 64 bits, over the bytes of doubles, least significant first. -0 and 0 differ; all NaNs are equal.
 struct Hash {
     std::uint64_t value = 0xcbf29ce484222325;
 
@@ -44,7 +41,7 @@ struct Hash {
     }
 };
 
-// Numbers in [0, 1) by Knuth's MMIX generator: integers only, hence the same everywhere.
+// Random numbers in [0, 1) by Knuth's MMIX generator, which uses only integers and gives the same numbers everywhere.
 struct Random {
     std::uint64_t state = 1;
 
@@ -53,7 +50,7 @@ struct Random {
         return static_cast<double>(state >> 11) * 0x1p-53;
     }
     double operator()(double first, double last) { return first + (last - first) * (*this)(); }
-    // 2^n with n uniform in [first, last], times a number in [1, 2), of either sign.
+    // 2^n times a number in [1, 2), of either sign; n is uniform in [first, last].
     double wide(int first, int last) {
         const auto n = first + static_cast<int>((*this)() * (last - first + 1));
         const double power = std::bit_cast<double>(static_cast<std::uint64_t>(1023 + n) << 52);
@@ -70,7 +67,8 @@ constexpr double hostile[] = {0,    -0.0, 1,      -1,   pi,     -pi,     pi / 2,
 
 constexpr double alphas[] = {1, 9.81, 0x1p-40};
 
-// In units of sqrt(alpha): small, large, either side of the separatrix and on it, rotating slowly, fast and backwards.
+// Initial states, omega in units of sqrt(alpha): small and large, on the separatrix and on either side of it, and slow, fast
+// and backward rotations.
 constexpr State states[] = {
     {0, 0},       {1e-9, 0},  {0.001, 0}, {pi / 2, 0}, {2.5, -0.3},  {3, 0},      {3.14159, 0}, {0, 1.999999895801368},
     {0, 2},       {0, -2},    {1, -1.75}, {pi, 0},     {-pi, 1e-12}, {3.1, 0.1},  {0.001, 2},   {0, 2.0000000000001},
@@ -106,7 +104,13 @@ void energies(Hash& hash) {
     for (int i = 0; i < 2000; ++i) {
         const State s{random.wide(-30, 60), random.wide(-30, 10)};
         hash(energy(9.81, s));
-        hash(acceleration({9.81, 0.5, 0.1, 1.5, 2.0 / 3, 0.25}, s, random(0, 1000)));
+        hash(acceleration({.alpha = 9.81,
+                           .beta = 0.5,
+                           .torque = 0.1,
+                           .drive_amplitude = 1.5,
+                           .drive_frequency = 2.0 / 3,
+                           .drive_phase = 0.25},
+                          s, random(0, 1000)));
         hash(unwrapped({0, s.theta, s.omega, random(-1e6, 1e6)}));
     }
 }
@@ -116,12 +120,13 @@ void analyses(Hash& hash) {
         hash(analyze(alpha, s));
         const double terms = series_terms(alpha, s, 1e-7);
         hash(terms);
-        if (terms < 1e5) hash(analyze_by_series(alpha, s, 1e-7));
+        Analysis by_series;
+        if (terms < 1e5 && analyze_by_series(alpha, s, 1e-7, by_series).is_done()) hash(by_series);
     });
     Random random;
     for (int i = 0; i < 5000; ++i) {
         const double alpha = random(0.1, 10);
-        const State s{random(-4, 4), random(-8, 8)};  // braces evaluate from left to right, arguments of functions as they like
+        const State s{random(-4, 4), random(-8, 8)};  // braces evaluate from left to right, function arguments in any order
         hash(analyze(alpha, s));
     }
     for (int i = 0; i < 5000; ++i) {  // near the separatrix
@@ -134,13 +139,13 @@ void analyses(Hash& hash) {
             for (double omega : hostile) hash(analyze(alpha, {theta, omega}));
 }
 
-constexpr std::size_t times = 1003;  // not a multiple of any pack's width
+constexpr std::size_t times = 1003;  // not a multiple of the width of any pack
 
 template <class Visit>
 void for_each_orbit(Visit visit) {
     static double t[times];
     for_each_problem([&](double alpha, State s) {
-        const Exact orbit = exact(alpha, s);
+        const Exact orbit = make_exact(alpha, s);
         Random random;
         for (std::size_t i = 0; i < times; ++i)
             t[i] = orbit.analysis.tau * (i % 4 == 0   ? random(0, 30)
@@ -176,16 +181,16 @@ void sinusoids(Hash& hash) {
     });
 }
 
-// All rows of a problem with times given as factors of tau, asked for in groups of `group` rows and `budget` steps.
+// Hashes all rows of a problem whose times are factors of tau, computed by calls for `group` rows and `budget` steps each.
 void rows(Hash& hash, Method method, double alpha, State initial, Times factors, std::size_t group, double budget) {
     const double tau = analyze(alpha, initial).tau;
     Trajectory run = begin({.pendulum = {.alpha = alpha},
                             .initial = initial,
                             .method = method,
-                            .schedule = schedule({factors.dt * tau, factors.every * tau, factors.until * tau})});
+                            .schedule = make_schedule({factors.dt * tau, factors.every * tau, factors.until * tau})});
     static Sample samples[64];
     while (!run.is_finished()) {
-        const std::size_t n = advance(run, group, samples, budget);
+        const std::size_t n = advance(run, std::span(samples).first(group), budget);
         for (std::size_t i = 0; i < n; ++i) hash(samples[i]);
     }
 }
@@ -220,7 +225,8 @@ void assignment(Hash& hash) {
     });
 }
 
-// Pendulums with friction, torque and drive, one of them not legal, and conservative ones in closed form.
+// Pendulums with friction, torque and drive, by rk4 and by taylor, and conservative ones by the closed form. Member 100 is
+// hashed as NaN.
 template <int threads>
 void ensembles(Hash& hash) {
     constexpr std::size_t size = 307, row_count = 5;
@@ -234,34 +240,41 @@ void ensembles(Hash& hash) {
         beta[i] = random(0, 1);
         drive[i] = random(0, 2);
     }
-    alpha[100] = nan;
-    static constexpr double none = 0, torque = 0.1, frequency = 2.0 / 3, phase = 0.25, first = 1.5, every = 3 * pi;
-    const auto one = [](const double& x) { return std::span(&x, 1); };
-    const EnsembleTimes times{.first = one(first), .every = one(every), .rows = row_count, .steps_per_row = 333};
+    const EnsembleTimes when{.first = 1.5, .every = 3 * pi, .rows = row_count, .steps_to_first = 333, .steps_per_row = 333};
     const auto visit = [&](const Ensemble& ensemble, Method method) {
-        solve(ensemble, method, 1e-15, times, {.threads = threads}, {row_theta, row_omega, row_turns});
-        for (std::size_t i = 0; i < size * row_count; ++i) hash(Sample{0, row_theta[i], row_omega[i], row_turns[i]});
+        const auto outcome = solve(ensemble, method, 1e-15, when, {row_theta, row_omega, row_turns}, {.threads = threads});
+        if (!outcome.is_done()) hash(nan);
+        for (std::size_t i = 0; i < size * row_count; ++i)
+            hash(i % size == 100 ? Sample{0, nan, nan, nan} : Sample{0, row_theta[i], row_omega[i], row_turns[i]});
     };
-    visit({size, theta, omega, alpha, beta, one(torque), drive, one(frequency), one(phase)}, Method::rk4);
-    visit({size, theta, omega, alpha, beta, one(torque), drive, one(frequency), one(phase)}, Method::taylor);
-    visit({size, theta, omega, alpha, one(none), one(none), one(none), one(none), one(none)}, Method::exact);
+    const Ensemble forced{.size = size,
+                          .theta = theta,
+                          .omega = omega,
+                          .alpha = alpha,
+                          .beta = beta,
+                          .torque = 0.1,
+                          .drive_amplitude = drive,
+                          .drive_frequency = 2.0 / 3,
+                          .drive_phase = 0.25};
+    visit(forced, Method::rk4);
+    visit(forced, Method::taylor);
+    visit({.size = size, .theta = theta, .omega = omega, .alpha = alpha}, Method::exact);
 }
 
-// The published pendulum, regular and chaotic, over 1,000 periods of its drive: by then a last bit has become another answer.
-constexpr double strobe_frequency_of_all = 2.0 / 3, friction = 0.5, start = 0.2;
+// The driven pendulum of Baker and Blackburn, regular and chaotic, over 1,000 periods of its drive: by then a difference in the
+// last bit has changed the whole result.
 constexpr double amplitudes[] = {0.9, 1.07, 1.15, 1.35, 1.45, 1.47, 1.5, 1.5};
 constexpr std::size_t driven = sizeof(amplitudes) / sizeof(*amplitudes);
 
 Ensemble published() {
-    static constexpr double none = 0, unit = 1;
-    const auto one = [](const double& x) { return std::span(&x, 1); };
-    return {driven, one(start), one(none), one(unit), one(friction), one(none), amplitudes, one(strobe_frequency_of_all), one(none)};
+    return {.size = driven, .theta = 0.2, .beta = 0.5, .drive_amplitude = amplitudes, .drive_frequency = 2.0 / 3};
 }
 
 template <Method method>
 void thousand_periods(Hash& hash) {
     double theta[driven], omega[driven], turns[driven];
-    section(published(), {.transient = 1000, .steps_per_period = 300, .method = method}, {.threads = 2}, {theta, omega, turns});
+    const Strobe strobe{.transient = 1000, .periods = 1, .steps_per_period = 300, .method = method};
+    if (!measure(Measure::section, published(), strobe, {theta, omega, turns}, {.threads = 2}).is_done()) hash(nan);
     for (std::size_t i = 0; i < driven; ++i) hash(Sample{0, theta[i], omega[i], turns[i]});
 }
 
@@ -269,10 +282,13 @@ template <Method method>
 void diagnostics(Hash& hash) {
     const Strobe strobe{.transient = 50, .periods = 64, .steps_per_period = 300, .method = method};
     double velocity[driven], exponent[driven], error[driven], horizon[driven];
-    double period[driven], rotation[driven], theta[driven], omega[driven];
-    mean_velocity(published(), strobe, {}, velocity);
-    lyapunov(published(), strobe, {}, {exponent, error, horizon});
-    orbits(published(), strobe, 1e-6, {}, {period, rotation, theta, omega});
+    double label[driven], period[driven], rotation[driven], theta[driven], omega[driven];
+    const auto take = [&](Measure what, const Results& results) {
+        if (!measure(what, published(), strobe, results).is_done()) hash(nan);
+    };
+    take(Measure::mean_velocity, {velocity});
+    take(Measure::lyapunov, {exponent, error, horizon, {}});
+    take(Measure::attractors, {label, period, rotation, theta, omega});
     for (std::size_t i = 0; i < driven; ++i)
         for (double x : {velocity[i], exponent[i], error[i], horizon[i], period[i], rotation[i], theta[i], omega[i]}) hash(x);
 }
@@ -280,10 +296,15 @@ void diagnostics(Hash& hash) {
 void taylor_rows(Hash& hash) {
     Random random;
     for (int i = 0; i < 20; ++i) {
-        const Pendulum p{random(0.5, 2), random(0, 1), random(-1, 1), random(0, 2), random(0.3, 2), random(-3, 3)};
-        auto run = begin({p, {random(-10, 10), random(-3, 3)}, Method::taylor, schedule({1, 0.5, 40}), 1e-15});
+        const Pendulum p{.alpha = random(0.5, 2),
+                         .beta = random(0, 1),
+                         .torque = random(-1, 1),
+                         .drive_amplitude = random(0, 2),
+                         .drive_frequency = random(0.3, 2),
+                         .drive_phase = random(-3, 3)};
+        auto run = begin({p, {random(-10, 10), random(-3, 3)}, Method::taylor, make_schedule({1, 0.5, 40}), 1e-15});
         for (Sample row; !run.is_finished();)
-            if (advance(run, 1, &row, 1000) == 1) hash(row);
+            if (advance(run, {&row, 1}, 1000) == 1) hash(row);
     }
 }
 
@@ -316,7 +337,7 @@ constexpr int section_count = sizeof(sections) / sizeof(*sections);
 
 }  // namespace
 
-// "name hash" of a section; nullptr past the last.
+// Returns "name hash" for a section, or nullptr after the last section.
 extern "C" EXPORT(report) const char* report(int section) {
     if (section >= section_count) return nullptr;
     Hash hash;
@@ -334,7 +355,16 @@ extern "C" EXPORT(report) const char* report(int section) {
 #include <cstdio>
 #include <cstring>
 
+#include "pendula/version.hpp"
+
+// `golden --isa` prints the instruction set in use.
 int main(int argc, char** argv) {
+    if (argc > 1 && std::strcmp(argv[1], "--isa") == 0) {
+        const char* const isa = instruction_set();
+        if (isa) return std::puts(isa) < 0;
+        std::fputs("PENDULA_ISA names no instruction set of this processor\n", stderr);
+        return 1;
+    }
     if (argc > 1) listener = [](double x) { std::printf("%a\n", x); };
     for (int i = 0; i < section_count; ++i)
         if (argc < 2)

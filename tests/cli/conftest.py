@@ -2,8 +2,10 @@
 
 import os
 import subprocess
+from contextlib import ExitStack
 
 import pytest
+from processes import finished, killed_after
 
 PROGRAM = os.path.abspath(os.environ["PENDULA_PROGRAM"])
 CLEAN = {name: value for name, value in os.environ.items() if name not in ("LC_ALL", "LC_MESSAGES", "LC_NUMERIC", "LANG")}
@@ -17,15 +19,8 @@ def pendula():
     """Runs the program on an input; streams are text, line ends untouched."""
 
     def run(*arguments, text="", env=None, **options):
-        return subprocess.run(
-            [PROGRAM, *arguments],
-            input=text.encode() if isinstance(text, str) else text,
-            stdout=options.pop("stdout", subprocess.PIPE),
-            stderr=subprocess.PIPE,
-            env=CLEAN | (env or {}),
-            timeout=60,
-            **options,
-        )
+        text = text.encode() if isinstance(text, str) else text
+        return finished([PROGRAM, *arguments], text, env=CLEAN | (env or {}), **options)
 
     return run
 
@@ -34,16 +29,19 @@ def pendula():
 def start():
     """Starts the program with pipes for its streams, so that a test can talk to it; what is left is cleared away."""
     started = []
+    watched = ExitStack()
 
     def popen(*arguments, text=b"", **options):
         streams = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE, "stderr": subprocess.PIPE} | options
         process = subprocess.Popen([PROGRAM, *arguments], env=CLEAN, **streams)
         started.append(process)
+        watched.enter_context(killed_after(60, process))  # no test waits for ever
         process.stdin.write(text)
         process.stdin.flush()
         return process
 
-    yield popen
+    with watched:
+        yield popen
     for process in started:
         process.kill()
         process.wait()

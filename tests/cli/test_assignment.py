@@ -62,7 +62,7 @@ def test_the_five_sample_rows_are_the_assignments(pendula):
     assert pendula(text=FIGURES[0]).stdout.decode().startswith(FIVE_ROWS)
 
 
-@pytest.mark.parametrize("problem, rows, columns", list(zip(FIGURES, [51, 201, 51, 51], [4, 4, 3, 3])))
+@pytest.mark.parametrize("problem, rows, columns", list(zip(FIGURES, [51, 201, 51, 51], [4, 4, 3, 3], strict=True)))
 def test_each_example_has_its_rows_and_columns(table, problem, rows, columns):
     lines = table(text=problem)
     assert len(lines) == rows
@@ -94,7 +94,10 @@ def test_white_space_comments_and_line_ends_do_not_matter(pendula):
 def test_solve_takes_the_same_problem_from_options(pendula):
     expected = pendula(text=FIGURES[0]).stdout
     assert pendula("solve", "--theta0", "90deg").stdout == expected
-    assert pendula("solve", "--theta0=90deg", "--dt-factor=0.0001", "--every-factor", "0.02", "--until-factor", "1").stdout == expected
+    assert (
+        pendula("solve", "--theta0=90deg", "--dt-factor=0.0001", "--every-factor", "0.02", "--until-factor", "1").stdout
+        == expected
+    )
     assert pendula("solve", "--theta0", "90deg", "--gravity", "9.81", "--length", "9.81").stdout == expected
 
 
@@ -106,7 +109,9 @@ def test_degrees_per_second_are_degrees(table):
 def test_zero_is_never_negative(pendula):
     for problem in ("0.01 0.25 1 -0 r -0 r 1", "0.01 0.25 2 -90 s -0 r 1", "0.01 0.25 3 0 r -1 r 1"):
         for precision in ("6", "full"):
-            words = pendula("--precision", precision, "--columns", "t,theta,omega,sine,exact,error,energy,turns", text=problem).stdout.split()
+            words = pendula(
+                "--precision", precision, "--columns", "t,theta,omega,sine,exact,error,energy,turns", text=problem
+            ).stdout.split()
             assert words and b"-0" not in words
 
 
@@ -116,5 +121,7 @@ def test_upright_at_rest_is_a_constant_table(table):
 
 
 def test_exact_stays_on_top_for_as_long_as_one_likes(table):
-    rows = table("solve", "--theta0", "0", "--omega0", "-2", "--method", "exact", "--every-factor", "1e5", "--until-factor", "1e6")
+    rows = table(
+        "solve", "--theta0", "0", "--omega0", "-2", "--method", "exact", "--every-factor", "1e5", "--until-factor", "1e6"
+    )
     assert {theta for _, theta, _ in rows[1:]} == {"-3.14159"}

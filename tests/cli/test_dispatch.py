@@ -50,10 +50,15 @@ def test_standard_input_is_handed_on(pendula, tmp_path):
     [
         ("slove", 'unknown command "slove"; did you mean solve?'),
         ("analyse", 'unknown command "analyse"; did you mean analyze?'),
+        ("velocity", 'unknown command "velocity"; did you mean mean-velocity?'),
+        ("mean_velocity", 'unknown command "mean_velocity"; did you mean mean-velocity?'),
         ("plt", 'unknown command "plt"; did you mean plot?'),
-        ("frobnicate", 'unknown command "frobnicate"; there are analyze, lyapunov, plot, section, solve, velocity'),
-        ("", 'unknown command ""; there are analyze, lyapunov, plot, section, solve, velocity'),
-        ("../plot", 'unknown command "../plot"; there are analyze, lyapunov, plot, section, solve, velocity'),
+        (
+            "frobnicate",
+            'unknown command "frobnicate"; there are analyze, attractors, lyapunov, mean-velocity, plot, section, solve',
+        ),
+        ("", 'unknown command ""; there are analyze, attractors, lyapunov, mean-velocity, plot, section, solve'),
+        ("../plot", 'unknown command "../plot"; there are analyze, attractors, lyapunov, mean-velocity, plot, section, solve'),
     ],
 )
 def test_a_name_that_is_nowhere_is_bad_usage_with_the_nearest(pendula, on_path, name, message):
@@ -75,12 +80,55 @@ def test_a_file_in_place_of_a_name_is_told_how_to_be_read(pendula, tmp_path):
 
 
 def test_a_program_that_may_not_run_is_said_so(pendula, tmp_path):
-    (tmp_path / "pendula-closed").write_text("")
+    file = tmp_path / "pendula-closed"
+    file.write_text("")
     done = pendula("closed", env={"PATH": str(tmp_path)})
-    assert (done.returncode, done.stderr) == (2, b'pendula: "pendula-closed" could not be run: permission denied\n')
+    assert (done.returncode, done.stderr.decode()) == (2, f'pendula: "{file}" could not be run: permission denied\n')
 
 
-def test_no_path_at_all_is_no_harm(pendula):
+def test_a_program_whose_interpreter_is_gone_is_said_so(pendula, tmp_path):
+    file = tmp_path / "pendula-old"
+    script(file)
+    file.write_text("#! /no/such/python -I\n")
+    done = pendula("old", env={"PATH": str(tmp_path)})
+    assert done.returncode == 2
+    assert done.stderr.decode() == f'pendula: "{file}" could not be run: its interpreter "/no/such/python" is missing\n'
+
+
+def test_a_link_to_a_program_that_is_gone_is_said_so(pendula, tmp_path):
+    file = tmp_path / "pendula-gone"
+    file.symlink_to("nowhere")
+    done = pendula("gone", env={"PATH": str(tmp_path)})
+    assert (done.returncode, done.stderr.decode()) == (
+        2,
+        f'pendula: "{file}" could not be run: it links to a file that is missing\n',
+    )
+
+
+def test_a_program_that_runs_goes_before_one_that_may_not(pendula, tmp_path, on_path):
+    (tmp_path / "pendula-plot").write_text("")
+    assert pendula("plot", env={"PATH": f"{tmp_path}:{on_path['PATH']}"}).returncode == 7
+
+
+@pytest.mark.parametrize("path", ["", ":/usr/bin", "/usr/bin::/bin", "/usr/bin:", ".", "./", "bin:../x", "sub"])
+def test_nothing_of_the_current_directory_is_ever_run(pendula, tmp_path, path):
+    script(tmp_path / "pendula-evil", "echo evil")
+    script(tmp_path / "sub" / "pendula-evil", "echo evil")
+    done = pendula("evil", cwd=tmp_path, env={"PATH": path})
+    assert (done.returncode, done.stdout) == (2, b"")
+    assert b'unknown command "evil"; there are' in done.stderr and b" evil" not in done.stderr
+
+
+def test_folders_and_files_that_cannot_run_are_not_offered(pendula, tmp_path):
+    (tmp_path / "pendula-folder").mkdir()
+    (tmp_path / "pendula-data").write_text("")
+    for name in ("folder", "foldr", "dat"):
+        done = pendula(name, env={"PATH": str(tmp_path)})
+        assert done.returncode == 2 and b"unknown command" in done.stderr
+        assert b"folder?" not in done.stderr and b"data" not in done.stderr
+
+
+def test_no_path_at_all_is_no_harm():
     environment = {name: value for name, value in os.environ.items() if name != "PATH"}
     import subprocess
 

@@ -88,7 +88,9 @@ def test_the_sinusoid_is_missing_where_nothing_oscillates(pendula, table):
 def test_error_is_what_theta_lacks_to_exact(table):
     for problem in (SWING, ROTATION):
         for method in ("rk4", "euler", "verlet", "exact"):
-            for theta, exact, error in table("--method", method, "--columns", "theta,exact,error", "--precision", "full", text=problem):
+            for theta, exact, error in table(
+                "--method", method, "--columns", "theta,exact,error", "--precision", "full", text=problem
+            ):
                 assert -math.pi <= float(error) < math.pi
                 assert math.remainder(float(theta) - float(exact) - float(error), 2 * math.pi) == pytest.approx(0, abs=1e-15)
 
@@ -121,7 +123,9 @@ def test_the_last_row_is_there_though_the_times_are_rounded(table):
 def test_analyze_has_the_three_formats(pendula):
     line = "90 s 0 r 1\nx\n"
     assert pendula("analyze", text=line).stdout.startswith(b"-1 1.5708 7.4163\nERROR: line 2: ")
-    assert pendula("analyze", "--format", "csv", text=line).stdout.startswith(b"k,thetaM,tau\n-1,1.5708,7.4163\nERROR: line 2: ")
+    assert pendula("analyze", "--format", "csv", text=line).stdout.startswith(
+        b"k,thetaM,tau\n-1,1.5708,7.4163\nERROR: line 2: "
+    )
     good, bad = records(pendula("analyze", "--format", "json", "--precision", "full", text=line))
     assert list(good) == ["k", "regime", "thetaM", "tau"]
     assert good["thetaM"] == math.pi / 2 and good["regime"] == "oscillation"
@@ -132,3 +136,18 @@ def test_analyze_has_the_three_formats(pendula):
 def test_analyze_names_the_regime_in_json(pendula, line, regime):
     (record,) = records(pendula("analyze", "--format", "json", text=line))
     assert record["regime"] == regime
+
+
+def test_analyze_goes_through_ranges(pendula):
+    done = pendula("analyze", "--theta0", "60deg:90deg:2", "--omega0", "0:2:3")
+    rows = [line.split() for line in done.stdout.decode().splitlines()]
+    assert (done.returncode, done.stderr, rows[3]) == (0, b"", [])
+    assert [row[:2] for row in rows if row] == [[theta, omega] for theta in ("1.0472", "1.5708") for omega in ("0", "1", "2")]
+    for theta, omega, *analysis in filter(None, rows):
+        alone = pendula("analyze", "--theta0", "60deg" if theta == "1.0472" else "90deg", "--omega0", omega)
+        assert alone.stdout.decode().split() == analysis
+    assert pendula("analyze", "--theta0", "1", "--alpha", "1:2:2", "--format", "csv").stdout.startswith(
+        b"alpha,k,thetaM,tau\n1,-1,1,"
+    )
+    (first, _) = records(pendula("analyze", "--theta0", "1:2:2", "--format", "json"))
+    assert list(first) == ["theta0", "k", "regime", "thetaM", "tau"]

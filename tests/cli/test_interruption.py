@@ -2,9 +2,12 @@
 
 import os
 import signal
+import subprocess
+import sys
 import time
 
 import pytest
+from processes import rest
 
 MANY_ROWS = b"0.01 0.01 1e9 1 r 0 r 1\n"
 MANY_STEPS = b"1e-12 0.5 1 1 r 0 r 1\n"
@@ -14,7 +17,7 @@ def assert_whole_rows(output):
     assert output.endswith(b"\n") and {line.count(b" ") for line in output.splitlines()} == {3}
 
 
-@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
 def test_a_run_into_a_file_is_interrupted_at_the_end_of_a_row(start, tmp_path, number):
     file = tmp_path / "table.txt"
     with open(file, "wb") as out:
@@ -22,7 +25,7 @@ def test_a_run_into_a_file_is_interrupted_at_the_end_of_a_row(start, tmp_path, n
     time.sleep(0.3)
     process.send_signal(number)
     assert process.wait(timeout=10) == 130
-    assert process.stderr.read() == b""
+    assert rest(process.stderr) == b""
     assert_whole_rows(file.read_bytes())
 
 
@@ -31,7 +34,7 @@ def test_a_run_into_a_slow_pipe_is_interrupted_at_the_end_of_a_row(start):
     output = process.stdout.read(10_001)
     time.sleep(0.3)  # the pipe is full, the program waits in the middle of a row
     process.send_signal(signal.SIGINT)
-    output += process.stdout.read()
+    output += rest(process.stdout)
     assert process.wait(timeout=10) == 130
     assert_whole_rows(output)
 
@@ -52,10 +55,10 @@ def test_long_steps_between_rows_are_interrupted_too(start):
     since = time.monotonic()
     assert process.wait(timeout=10) == 130
     assert time.monotonic() - since < 1
-    assert process.stdout.read() == b"t angulo velocidad funcionSinusoidal\n0 1 0 1\n"
+    assert rest(process.stdout) == b"t angulo velocidad funcionSinusoidal\n0 1 0 1\n"
 
 
-@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
 @pytest.mark.parametrize("arguments", [[], ["analyze"]])
 @pytest.mark.parametrize("text", [b"", b"1 1 1 "])
 def test_waiting_for_input_is_interrupted(start, arguments, text, number):
@@ -63,7 +66,7 @@ def test_waiting_for_input_is_interrupted(start, arguments, text, number):
     time.sleep(0.2)
     process.send_signal(number)
     assert process.wait(timeout=10) == 130
-    assert (process.stdout.read(), process.stderr.read()) == (b"", b"")
+    assert (rest(process.stdout), rest(process.stderr)) == (b"", b"")
 
 
 def test_a_file_cut_short_by_an_interruption_is_left_with_whole_rows(start, tmp_path):
@@ -83,6 +86,16 @@ def test_an_ignored_signal_stays_ignored(start):
     process.send_signal(signal.SIGINT)
     output, _ = process.communicate(timeout=10)
     assert process.returncode == 0 and output.count(b"\n") == 4
+
+
+def test_programs_start_with_default_signals_where_the_tests_run_in_the_background_of_a_script():
+    def ignore():
+        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+            signal.signal(number, signal.SIG_IGN)
+
+    tests = [sys.executable, "-m", "pytest", "-q", __file__, "-k", "waiting_for_input_is_interrupted or into_a_slow_pipe"]
+    done = subprocess.run(tests, preexec_fn=ignore, capture_output=True, text=True, timeout=60)
+    assert done.returncode == 0 and " passed" in done.stdout, done.stdout
 
 
 def test_no_moment_is_bad_for_a_signal(start):

@@ -6,6 +6,7 @@ import signal
 import time
 
 import pytest
+from processes import rest
 
 PUBLISHED = ("--theta0", "0.2", "--beta", "0.5", "--drive-frequency", repr(2 / 3))
 CHAOTIC = (*PUBLISHED, "--drive-amplitude", "1.5")
@@ -28,8 +29,8 @@ def test_a_section_has_a_line_for_each_point(pendula):
 
 def test_ranges_multiply_in_the_order_given_and_the_last_varies_fastest(pendula):
     arguments = ("--alpha", "1", "--torque", "0:0.2:3", "--beta", "0.5:1:2", "--periods", "1", "--transient", "0")
-    lines = output(pendula, "velocity", *arguments).splitlines()
-    assert lines[0] == "# torque beta velocity"
+    lines = output(pendula, "mean-velocity", *arguments).splitlines()
+    assert lines[0] == "# torque beta mean_velocity"
     assert [line.split()[:2] for line in lines[1:]] == [
         ["0", "0.5"], ["0", "1"], [], ["0.1", "0.5"], ["0.1", "1"], [], ["0.2", "0.5"], ["0.2", "1"], []
     ]  # fmt: skip
@@ -37,7 +38,7 @@ def test_ranges_multiply_in_the_order_given_and_the_last_varies_fastest(pendula)
 
 def test_of_three_ranges_each_ends_with_an_empty_line(pendula):
     arguments = ("--beta", "0:1:2", "--torque", "0:1:2", "--omega0", "0:1:2", "--periods", "1", "--transient", "0")
-    lines = output(pendula, "velocity", *arguments).splitlines()[1:]
+    lines = output(pendula, "mean-velocity", *arguments).splitlines()[1:]
     assert [bool(line) for line in lines] == [True, True, False, True, True, False, False] * 2
 
 
@@ -46,25 +47,31 @@ def test_a_single_range_makes_no_empty_lines(pendula):
 
 
 def test_ranges_hold_the_doubles_of_linspace(pendula):
-    lines = output(pendula, "velocity", "--torque", "0.9:1.5:61", "--beta", "1", "--precision", "full", "--periods", "1").splitlines()[1:]
+    lines = output(
+        pendula, "mean-velocity", "--torque", "0.9:1.5:61", "--beta", "1", "--precision", "full", "--periods", "1"
+    ).splitlines()[1:]
     step = (1.5 - 0.9) / 60
     assert [float(line.split()[0]) for line in lines] == [0.9 + i * step for i in range(60)] + [1.5]
 
 
 def test_angles_range_in_degrees_too(pendula):
-    lines = output(pendula, "section", "--theta0", "-90deg:90deg:3", "--transient", "0", "--periods", "1", "--precision", "full").splitlines()
+    lines = output(
+        pendula, "section", "--theta0", "-90deg:90deg:3", "--transient", "0", "--periods", "1", "--precision", "full"
+    ).splitlines()
     assert [float(line.split()[0]) for line in lines[1:]] == [-math.pi / 2, 0, math.pi / 2]
 
 
 def test_gravity_over_length_is_alpha(pendula):
-    by_length = output(pendula, "velocity", "--gravity", "9", "--length", "1:2.25:2", "--theta0", "3", "--precision", "full")
-    by_alpha = output(pendula, "velocity", "--alpha", "9:4:2", "--theta0", "3", "--precision", "full")
+    by_length = output(
+        pendula, "mean-velocity", "--gravity", "9", "--length", "1:2.25:2", "--theta0", "3", "--precision", "full"
+    )
+    by_alpha = output(pendula, "mean-velocity", "--alpha", "9:4:2", "--theta0", "3", "--precision", "full")
     assert [line.split()[1] for line in by_length.splitlines()[1:]] == [line.split()[1] for line in by_alpha.splitlines()[1:]]
-    assert by_length.startswith("# length velocity\n1 ")
+    assert by_length.startswith("# length mean_velocity\n1 ")
 
 
 def test_locked_orbits_turn_once_a_period(pendula):
-    text = output(pendula, "velocity", *PUBLISHED, "--drive-amplitude", "1.35:1.47:2", "--steps", "200")
+    text = output(pendula, "mean-velocity", *PUBLISHED, "--drive-amplitude", "1.35:1.47:2", "--steps", "200")
     assert [abs(float(line.split()[1])) * 1.5 for line in text.splitlines()[1:]] == pytest.approx([1, 1], abs=1e-5)
 
 
@@ -83,7 +90,7 @@ def test_json_is_an_object_a_line_the_measure_first(pendula):
     assert [row["drive_amplitude"] for row in rows] == [0.9, 1.5] and rows[0]["horizon"] is None
 
 
-@pytest.mark.parametrize("command, periods", [("section", "5"), ("velocity", "30"), ("lyapunov", "30")])
+@pytest.mark.parametrize("command, periods", [("section", "5"), ("mean-velocity", "30"), ("lyapunov", "30")])
 def test_bits_depend_on_neither_threads_nor_instruction_set(pendula, command, periods):
     arguments = (command, *PUBLISHED, "--drive-amplitude", "0.9:1.5:200", "--transient", "5", "--periods", periods)
     for method in (("--steps", "100"), ("--method", "taylor")):
@@ -103,33 +110,47 @@ def test_taylor_measures_too(pendula):
 
 def test_a_long_section_goes_on_past_what_memory_is_meant_for(pendula):
     points = 2**20 + 3
-    text = output(pendula, "section", "--theta0", "1", "--transient", "0", "--periods", str(points), "--steps", "4", "--threads", "1")
+    text = output(
+        pendula, "section", "--theta0", "1", "--transient", "0", "--periods", str(points), "--steps", "4", "--threads", "1"
+    )
     assert text.count("\n") == points + 1
 
 
+FREQUENCY = "a drive or a shaken pivot needs a frequency: --drive-frequency must be positive and finite, got 0"
+
 BAD = [
-    (("section", "--drive-amplitude", "1"), "--drive-frequency must be greater than 0 where --drive-amplitude is not 0"),
-    (("section", "--drive-amplitude", "0:1:3", "--drive-frequency", "0:1:3"), "--drive-frequency must be greater than 0"),
-    (("velocity", "--beta", "1e300"), "rk4 is stable from 2.26014e+300 steps a period on"),
-    (("velocity", "--beta", "nan"), '--beta "nan": it must be a number not less than 0'),
-    (("velocity", "--beta", "0:nan:3"), '--beta "0:nan:3": it must be a number not less than 0'),
-    (("velocity", "--torque", "1:2:0"), "the count must be a whole number from 1"),
-    (("velocity", "--torque", "1:2:-3"), "the count must be a whole number from 1"),
-    (("velocity", "--torque", "1:2:2.5"), "the count must be a whole number from 1"),
-    (("velocity", "--torque", "1:2"), "it must be one value, or a range first:last:count"),
-    (("velocity", "--torque", "1:2:3:4"), "it must be one value, or a range first:last:count"),
-    (("velocity", "--torque", ":2:3"), "it is not a number"),
-    (("velocity", "--torque=-1e308:1e308:3"), "it is wider than the doubles"),
-    (("velocity", "--periods", "0"), "it must be a whole number from 1"),
-    (("velocity", "--transient", "0.5"), "it must be a whole number from 0"),
-    (("velocity", "--steps", "2"), "rk4 is stable from 3 steps"),
-    (("velocity", "--threads", "0"), "it must be a whole number from 1 to 256"),
-    (("velocity", "--method", "verlet"), '"verlet" is none of'),
-    (("velocity", "--method", "taylor", "--steps", "9"), "--steps goes with --method rk4"),
-    (("velocity", "--tolerance", "1e-9"), "--tolerance goes with --method taylor"),
-    (("velocity", "--gravity", "9.81"), "--gravity and --length go together"),
-    (("velocity", "--until", "3"), "option --until belongs to pendula solve"),
-]
+    (("section", "--drive-amplitude", "1"), FREQUENCY),
+    (("section", "--pivot-amplitude", "1"), FREQUENCY),
+    (
+        ("section", "--drive-amplitude", "0:1:3", "--drive-frequency", "0:1:3"),
+        "where --drive-amplitude is 0.5, --drive-frequency is 0: " + FREQUENCY,
+    ),
+    (("mean-velocity", "--beta", "1e300"), "--steps must be at least 2.2601385997048875e+300, or the method is unstable, got 1000"),
+    (("mean-velocity", "--beta", "nan"), '--beta "nan" must be finite and not negative, got nan'),
+    (("mean-velocity", "--beta", "0:nan:3"), '--beta "nan" must be finite and not negative, got nan'),
+    (("mean-velocity", "--torque", "1:2:0"), "the count must be a whole number from 1"),
+    (("mean-velocity", "--torque", "1:2:-3"), "the count must be a whole number from 1"),
+    (("mean-velocity", "--torque", "1:2:2.5"), "the count must be a whole number from 1"),
+    (("mean-velocity", "--torque", "1:2"), "it must be one value, or a range first:last:count"),
+    (("mean-velocity", "--torque", "1:2:3:4"), "it must be one value, or a range first:last:count"),
+    (("mean-velocity", "--torque", ":2:3"), "it is not a number"),
+    (("mean-velocity", "--torque=-1e308:1e308:3"), "it is wider than the doubles"),
+    (("mean-velocity", "--periods", "0"), "--periods must be a whole number from 1 to 2^53, got 0"),
+    (("mean-velocity", "--transient", "0.5"), "--transient must be a whole number from 0 to 2^53, got 0.5"),
+    (("mean-velocity", "--steps", "2"), "--steps must be at least 3, or the method is unstable, got 2; or use method taylor"),
+    (("mean-velocity", "--threads", "0"), "--threads must be a whole number from 1 to 256, got 0"),
+    (("mean-velocity", "--threads", "1.5"), "--threads must be a whole number from 1 to 256, got 1.5"),
+    (("mean-velocity", "--method", "verlet"), "--method must be one of rk4, taylor"),
+    (("mean-velocity", "--method", "taylor", "--steps", "9"), "--steps does not go with --method taylor"),
+    (("mean-velocity", "--tolerance", "1e-9"), "--tolerance does not go with --method rk4"),
+    (("mean-velocity", "--gravity", "9.81"), "--gravity and --length go together"),
+    (("mean-velocity", "--gravity", "1:1e300:2", "--length", "1e-300:1:2"),
+     "where --gravity is 1e+300, --length is 1e-300: --gravity over --length must be positive and finite, got inf"),
+    (("mean-velocity", "--until", "3"), "option --until belongs to pendula solve"),
+    (("mean-velocity", "--match", "3"), "option --match belongs to pendula attractors"),
+    (("attractors", "--match", "0"), "--match must be positive and finite, got 0"),
+    (("attractors", "--theta0", "0:1:16777217"), "takes at most 16777216 at once; the ranges make 16777217"),
+]  # fmt: skip
 
 
 @pytest.mark.parametrize("arguments, message", BAD, ids=[" ".join(arguments) for arguments, _ in BAD])
@@ -147,32 +168,97 @@ def test_what_cannot_be_measured_is_bad_usage(pendula, arguments, message):
         ("--beta", "0:1:9999999999", "--torque", "0:1:9999999999"),
     ],
 )
-def test_more_steps_or_pendulums_than_2_to_53_are_too_many(pendula, arguments):
-    done = pendula("velocity", *arguments)
-    assert done.returncode == 1 and done.stdout == b"" and "2^53" in done.stderr.decode()
+def test_more_steps_of_a_pendulum_or_more_pendulums_than_2_to_53_are_too_many(pendula, arguments):
+    done = pendula("mean-velocity", *arguments)
+    assert done.returncode == 2 and done.stdout == b"" and "2^53" in done.stderr.decode()
 
 
 def test_complaints_are_in_spanish_too(pendula):
     done = pendula("section", "--drive-amplitude", "1", env={"LANG": "es_ES.UTF-8"})
-    assert "debe ser mayor que 0 donde --drive-amplitude no sea 0" in done.stderr.decode()
+    assert "--drive-frequency debe ser un número finito mayor que 0" in done.stderr.decode()
 
 
-@pytest.mark.parametrize("command", ["section", "velocity", "lyapunov"])
-def test_a_sweep_is_interrupted_at_the_end_of_a_line(start, command):
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGHUP])
+@pytest.mark.parametrize("command", ["section", "mean-velocity", "lyapunov"])
+def test_a_sweep_is_interrupted_at_the_end_of_a_line(start, command, number):
     process = start(command, *CHAOTIC, "--torque", "0:1:100000", "--transient", "0", "--periods", "20", "--steps", "100")
     text = process.stdout.read(300)
-    process.send_signal(signal.SIGINT)
-    text += process.stdout.read()
-    assert process.wait(timeout=10) == 130 and process.stderr.read() == b""
+    process.send_signal(number)
+    text += rest(process.stdout)
+    assert process.wait(timeout=10) == 130 and rest(process.stderr) == b""
     fields = len(text.splitlines()[1].split())
     assert text.endswith(b"\n") and {len(line.split()) for line in text.splitlines()[1:]} == {fields}
 
 
 def test_a_measure_of_1e12_steps_is_interrupted_at_once(start):
-    process = start("velocity", *CHAOTIC, "--steps", "1e12")
+    process = start("mean-velocity", *CHAOTIC, "--steps", "1e12")
     time.sleep(0.3)
     process.send_signal(signal.SIGINT)
     since = time.monotonic()
     assert process.wait(timeout=10) == 130
     assert time.monotonic() - since < 1
-    assert process.stdout.read() == b"# velocity\n"
+    assert rest(process.stdout) == b"# mean_velocity\n"
+
+
+@pytest.mark.parametrize(
+    "arguments, place, least",
+    [
+        # 1000 steps of 2 pi/Omega are stable below sqrt(alpha) h = 2.82, which is from Omega = 2.2281e-3 on
+        (["mean-velocity", "--drive-frequency", "0:1:1001", "--transient", "2", "--periods", "5"], 0.001, 2229),
+        (["lyapunov", "--drive-frequency", "0:1:201", "--steps", "20"], 0.005, 446),
+        (["attractors", "--drive-frequency", "0:1:201", "--steps", "20"], 0.005, 446),
+    ],
+)
+def test_every_member_of_a_sweep_is_checked_as_if_it_stood_alone(pendula, arguments, place, least):
+    done = pendula(*arguments, "--theta0", "1")
+    assert (done.returncode, done.stdout) == (2, b"")
+    assert f"where --drive-frequency is {place}: --steps must be at least {least}" in done.stderr.decode()
+    alone = pendula(*(str(place) if ":" in word else word for word in arguments), "--theta0", "1")
+    assert alone.returncode == 2 and f"pendula: --steps must be at least {least}" in alone.stderr.decode()
+
+
+def test_attractors_are_numbered_over_the_whole_sweep(pendula):
+    """At 0.9 the published pendulum has two mirror orbits; starts on both sides of the top find both, 5000 of them in one call."""
+    arguments = ("attractors", *PUBLISHED[2:], "--drive-amplitude", "1.0", "--theta0", "-3:3:5000", "--steps", "100")
+    header, *lines = output(pendula, *arguments).splitlines()
+    assert header == "# theta0 label period rotation theta omega" and len(lines) == 5000
+    orbits = {tuple(line.split()[1:]) for line in lines}
+    assert {orbit[0] for orbit in orbits} == {str(1 + i) for i in range(len(orbits))}
+
+
+def test_columns_of_attractors_have_names_in_every_format(pendula):
+    arguments = ("attractors", *PUBLISHED, "--drive-amplitude", "1.07", "--steps", "200")
+    (row,) = map(json.loads, output(pendula, *arguments, "--format", "json").splitlines()[1:])
+    assert row["label"] == 1 and row["period"] == 2 and row["rotation"] == 0
+    assert output(pendula, *arguments, "--format", "csv").startswith("label,period,rotation,theta,omega\n1,2,0,")
+
+
+def test_a_pivot_is_swept_like_any_parameter(pendula):
+    lines = output(
+        pendula, "section", "--pivot-amplitude", "0:2:3", "--drive-frequency", "2", "--transient", "0", "--periods", "1"
+    ).splitlines()
+    assert [line.split()[0] for line in lines] == ["#", "0", "1", "2"]
+
+
+@pytest.mark.parametrize("isa", ["", "sse9", "AVX2"])
+def test_an_instruction_set_that_is_none_is_bad_usage(pendula, isa):
+    for arguments in (["mean-velocity"], ["solve", "--theta0", "1"], []):
+        done = pendula(*arguments, env={"PENDULA_ISA": isa})
+        assert (done.returncode, done.stdout) == (2, b"")
+        assert done.stderr.startswith(b"pendula: PENDULA_ISA must be one of")
+
+
+@pytest.mark.parametrize("name", ["section", "mean-velocity", "lyapunov", "attractors"])
+@pytest.mark.parametrize("method", ["rk4", "taylor"])
+def test_a_motion_out_of_range_is_told_and_is_status_1(pendula, name, method):
+    done = pendula(name, "--torque", "0:1e308:2", "--transient", "0", "--periods", "3", "--method", method)
+    assert done.returncode == 1
+    assert b"nan" in done.stdout
+    assert b"the motion of 1 of 2 pendulums leaves the range of doubles" in done.stderr
+
+
+def test_a_long_section_ends_where_its_motion_does(pendula):
+    done = pendula("section", "--torque", "1e308", "--transient", "0", "--periods", "2000000", "--steps", "10")
+    assert done.returncode == 1
+    assert b"the motion of 1 of 1 pendulums" in done.stderr
+    assert len(done.stdout.splitlines()) == 1 + (1 << 20)

@@ -4,9 +4,11 @@ import os
 import resource
 import signal
 import subprocess
+from typing import Any
 
 import pytest
-from conftest import GOOD
+from conftest import CLEAN, GOOD, PROGRAM
+from processes import rest
 
 LONG_RUN = "0.01 0.01 1e9 1 r 0 r 1\n"
 
@@ -17,6 +19,37 @@ def test_output_goes_to_the_file_named(pendula, tmp_path):
     done = pendula("--output", str(file), text=GOOD)
     assert (done.returncode, done.stdout, done.stderr) == (0, b"", b"")
     assert file.read_bytes() == pendula(text=GOOD).stdout
+
+
+def test_a_hyphen_is_standard_output(pendula, tmp_path):
+    done = pendula("--output", "-", text=GOOD, cwd=tmp_path)
+    assert (done.returncode, done.stdout, list(tmp_path.iterdir())) == (0, pendula(text=GOOD).stdout, [])
+
+
+@pytest.mark.parametrize("kind", ["name", "hard link", "symbolic link", "/dev/stdin", "append"])
+@pytest.mark.parametrize("arguments, text", [([], GOOD), (["analyze"], "1 r 0 r 1\n")])
+def test_the_file_that_is_read_is_never_written(tmp_path, kind, arguments, text):
+    problems, other = tmp_path / "problems.txt", tmp_path / "other.txt"
+    problems.write_text(text)
+    if kind == "hard link":
+        other.hardlink_to(problems)
+    elif kind == "symbolic link":
+        other.symlink_to(problems)
+    path = {"name": problems, "/dev/stdin": "/dev/stdin"}.get(kind, other)
+    with open(problems, "rb") as given, open(problems, "ab") as appended:
+        where: dict[str, Any] = {"stdout": appended} if kind == "append" else {"stdout": subprocess.PIPE}
+        option = [] if kind == "append" else ["--output", str(path)]
+        done = subprocess.run(
+            [PROGRAM, *arguments, *option], stdin=given, stderr=subprocess.PIPE, env=CLEAN, timeout=60, **where
+        )
+    assert done.returncode == 2 and b"is what standard input is read from" in done.stderr
+    assert problems.read_text() == text
+
+
+def test_devices_may_be_read_and_written(pendula):
+    assert pendula("--output", "/dev/null", text=GOOD).returncode == 0
+    command = [PROGRAM, "analyze", "--output", "/dev/null"]
+    assert subprocess.run(command, stdin=subprocess.DEVNULL, env=CLEAN, timeout=60).returncode == 0
 
 
 @pytest.mark.parametrize("text", ["", "0.1 0.1 1 1 x 0 r 1"])
@@ -89,7 +122,7 @@ def read_a_little_and_close(start, **options):
     process = start(text=LONG_RUN.encode(), **options)
     process.stdout.read(1000)
     process.stdout.close()
-    return process.wait(timeout=20), process.stderr.read()
+    return process.wait(timeout=20), rest(process.stderr)
 
 
 def test_a_closed_pipe_ends_it_quietly(start):
@@ -124,7 +157,12 @@ def within(mebibytes):
 
 @pytest.mark.parametrize(
     "text",
-    ["1 1e-6 1 1 r 0 r 1", "1 1 1 1 r 0 r 1\n" * 100_000, "1 1 1 1 r 0 r 1 #" + "x" * (32 << 20), " " * (32 << 20) + "1 1 1 1 r 0 r 1"],
+    [
+        "1 1e-6 1 1 r 0 r 1",
+        "1 1 1 1 r 0 r 1\n" * 100_000,
+        "1 1 1 1 r 0 r 1 #" + "x" * (32 << 20),
+        " " * (32 << 20) + "1 1 1 1 r 0 r 1",
+    ],
     ids=["rows", "problems", "comment", "space"],
 )
 def test_memory_does_not_grow_with_the_run(pendula, text):

@@ -55,7 +55,10 @@ def terminal():
 
 
 def test_a_terminal_is_told_what_to_type_in_its_language(terminal):
-    for environment, pattern in (({}, "type problems, eight values each"), ({"LANG": "es_ES.UTF-8"}, "escribe problemas, cada uno de ocho valores")):
+    for environment, pattern in (
+        ({}, "type problems, eight values each"),
+        ({"LANG": "es_ES.UTF-8"}, "escribe problemas, cada uno de ocho valores"),
+    ):
         at = terminal(env=environment)
         at.read_until(pattern)
         at.type("\x04")
@@ -103,10 +106,19 @@ def test_a_long_run_shows_how_far_it_is_and_leaves_no_trace(terminal):
 
 
 def test_a_long_sweep_shows_how_far_it_is_too(terminal):
-    one = terminal("velocity", "--torque", "1", "--steps", "1e9", streams=("stderr",))
+    one = terminal("mean-velocity", "--torque", "1", "--steps", "1e9", streams=("stderr",))
     one.read_until(r"\r\x1b\[Kpendula: 0 %")
     one.process.terminate()
     assert one.process.wait(timeout=10) == 130
+
+
+def test_a_long_series_shows_how_far_it_is_too_and_is_interrupted(terminal):
+    """Half a million series: the range makes the time certain."""
+    one = terminal("analyze", "--method", "series", "--theta0", "3.1412:3.1412:500000", streams=("stderr",))
+    one.read_until(r"\r\x1b\[Kpendula: 0 %, \d+ s left")
+    one.process.terminate()
+    assert one.process.wait(timeout=1) == 130
+    assert set(one.process.stdout.read().splitlines()) <= {b"3.1412 -1 3.1412 39.6881"}
 
 
 def test_a_short_run_shows_nothing(terminal):

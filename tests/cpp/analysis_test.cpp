@@ -10,6 +10,8 @@ namespace {
 using namespace pendula;
 using reference::ulps;
 
+constexpr double pi_rest = 0x1.1a62633145c07p-53;  // pi less the double nearest to it
+
 std::string name(const reference::Case& c) {
     char text[200];
     std::snprintf(text, sizeof text, "%s alpha=%a theta=%a omega=%a", c.group.c_str(), c.alpha, c.initial.theta,
@@ -97,6 +99,28 @@ TEST(Analyze, GivesNaNOutsideItsDomain) {
     for (double epsilon : {0.0, 1.0, -1.0, 2.0, nan}) EXPECT_TRUE(std::isnan(series_terms(1, {1, 0}, epsilon))) << epsilon;
 }
 
+TEST(CharacteristicTime, IsThePeriodOfTheMotionOfTheDriveOrOfSmallSwings) {
+    const State initial{2, 0};
+    EXPECT_EQ(characteristic_time({.alpha = 4}, initial), analyze(4, initial).tau);
+    EXPECT_EQ(characteristic_time({.alpha = 4, .drive_frequency = 3}, initial), analyze(4, initial).tau);  // of no account
+    for (const Pendulum& p : {Pendulum{.alpha = 4, .beta = 0.1}, Pendulum{.alpha = 4, .torque = 0.1}})
+        EXPECT_LE(ulps(characteristic_time(p, initial), {pi, pi_rest}), 4);
+    for (const Pendulum& p :
+         {Pendulum{.drive_amplitude = 1, .drive_frequency = 0.5}, Pendulum{.pivot_amplitude = 1, .drive_frequency = 0.5},
+          Pendulum{.beta = 1, .drive_amplitude = 1, .pivot_amplitude = 1, .drive_frequency = 0.5}})
+        EXPECT_LE(ulps(characteristic_time(p, initial), {4 * pi, 4 * pi_rest}), 4);
+}
+
+TEST(RestsOnTop, HoldsWithFrictionAndAShakenPivotButNotWithAForce) {
+    const State top{pi, 0};
+    for (const Pendulum& p : {Pendulum{}, Pendulum{.beta = 1}, Pendulum{.pivot_amplitude = 5, .drive_frequency = 9}})
+        EXPECT_TRUE(rests_on_top(p, top));
+    for (const Pendulum& p : {Pendulum{.torque = 1e-9}, Pendulum{.drive_amplitude = 1e-9, .drive_frequency = 1}})
+        EXPECT_FALSE(rests_on_top(p, top));
+    EXPECT_FALSE(rests_on_top({}, {pi, 1e-9}));
+    EXPECT_FALSE(rests_on_top({}, {0, 0}));
+}
+
 TEST(Series, AsksForTheTermsOfTheCut) {
     for (const auto& row : reference::table("series.txt")) {
         const auto want = row.value(4);
@@ -115,7 +139,8 @@ TEST(Series, AgreesWithTheMeanToItsEpsilon) {
         for (double epsilon : {1e-3, 1e-7, 1e-12}) {
             const double terms = series_terms(c.alpha, c.initial, epsilon);
             if (terms > 2e4) continue;
-            const auto a = analyze_by_series(c.alpha, c.initial, epsilon);
+            Analysis a;
+            ASSERT_TRUE(analyze_by_series(c.alpha, c.initial, epsilon, a).is_done());
             // n additions and three roundings a term.
             EXPECT_NEAR(a.tau, c.tau.hi, (epsilon + (terms * 4 + 8) * 1.2e-16) * c.tau.hi) << name(c);
         }
@@ -125,7 +150,11 @@ TEST(Series, AgreesWithTheMeanToItsEpsilon) {
 TEST(Series, RefusesMoreThanABillionTerms) {
     const State upright{3.14159265, 0};
     EXPECT_GT(series_terms(1, upright, 1e-7), series_terms_limit);
-    EXPECT_TRUE(std::isnan(analyze_by_series(1, upright, 1e-7).tau));
+    Analysis a;
+    const auto outcome = analyze_by_series(1, upright, 1e-7, a);
+    EXPECT_EQ(outcome.kind, Outcome::Kind::refused);
+    EXPECT_EQ(outcome.refusal.reason, Refusal::Reason::too_many_terms);
+    EXPECT_EQ(a.tau, 0);  // nothing was done
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Errors of analysis and closed form over tests/data/closed_form.txt, shared by the tests and by measure_errors.
+// Errors of analysis and closed form over tests/data/closed_form.txt and late.txt, shared by the tests and by measure_errors.
 #pragma once
 
 #include <algorithm>
@@ -30,9 +30,9 @@ struct Case {
     double scale() const { return std::min(1.0, std::fabs(theta_max.hi) > 0 ? std::fabs(theta_max.hi) : 1.0); }
 };
 
-inline std::vector<Case> closed_form() {
+inline std::vector<Case> closed_form(const char* file = "closed_form.txt") {
     std::vector<Case> cases;
-    for (const Row& row : table("closed_form.txt")) {
+    for (const Row& row : table(file)) {
         if (row.words.at(0) == "case")
             cases.push_back(
                 {row.words.at(1), row[0], {row[1], row[2]}, static_cast<int>(row[3]), row.value(4), row.value(6), {}});
@@ -56,6 +56,15 @@ struct Relative {
 inline Relative error_at(const Case& c, const pendula::Exact& solution, const Instant& instant) {
     const auto s = pendula::at(solution, instant.t);
     return {theta_error(s, instant) / c.scale(), error(s.omega, instant.omega) / c.largest_omega()};
+}
+
+/// The error that `at` states for omega on the separatrix. It decays as exp(-|zeta|), so that an error of zeta is a relative
+/// error of omega. A denormal omega is rounded to whole units of 2^-1074 besides.
+inline double stated_tail_error(const Case& c, const Instant& i) {
+    const double sense = c.initial.omega < 0 ? -1 : 1;
+    const double start = std::asinh(std::tan(c.initial.theta / 2));
+    const double zeta = std::fabs(start + sense * std::sqrt(c.alpha) * i.t);
+    return (4 + 3 * zeta + 6 * std::fabs(start)) * 0x1p-53 * std::fabs(i.omega.hi) + 0x1p-1074;
 }
 
 inline bool is_late(const Case& c, const Instant& i) { return std::fabs(i.t) > 31 * c.tau.hi; }

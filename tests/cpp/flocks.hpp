@@ -8,7 +8,7 @@
 #include <cstring>
 #include <vector>
 
-#include "pendula/measure.hpp"
+#include "pendula/validate.hpp"
 
 namespace reference {
 
@@ -16,17 +16,18 @@ using namespace pendula;
 
 /// Columns that an ensemble looks at; one value each until told otherwise.
 struct Flock {
-    std::vector<double> theta{0}, omega{0}, alpha{1}, beta{0}, torque{0}, drive_amplitude{0}, drive_frequency{0},
-        drive_phase{0};
+    std::vector<double> theta{0}, omega{0}, alpha{1}, beta{0}, torque{0}, drive_amplitude{0}, pivot_amplitude{0},
+        drive_frequency{0}, drive_phase{0};
 
     std::size_t size() const {
         std::size_t most = 1;
-        for (const auto* column : {&theta, &omega, &alpha, &beta, &torque, &drive_amplitude, &drive_frequency, &drive_phase})
+        for (const auto* column :
+             {&theta, &omega, &alpha, &beta, &torque, &drive_amplitude, &pivot_amplitude, &drive_frequency, &drive_phase})
             most = std::max(most, column->size());
         return most;
     }
     Ensemble ensemble() const {
-        return {size(), theta, omega, alpha, beta, torque, drive_amplitude, drive_frequency, drive_phase};
+        return {size(), theta, omega, alpha, beta, torque, drive_amplitude, pivot_amplitude, drive_frequency, drive_phase};
     }
 };
 
@@ -35,34 +36,41 @@ inline Flock published(std::vector<double> amplitudes) {
     return {.theta = {0.2}, .beta = {0.5}, .drive_amplitude = std::move(amplitudes), .drive_frequency = {2.0 / 3}};
 }
 
+/// All columns of a measure, in its order.
+inline std::vector<std::vector<double>> measured(Measure what, const Flock& flock, const Strobe& strobe,
+                                                 const Control& control = {}) {
+    std::vector<std::vector<double>> columns;
+    std::vector<std::span<double>> results;
+    for (const auto& column : measures[static_cast<std::size_t>(what)].columns)
+        columns.emplace_back(rows_of(column, strobe) * flock.size());
+    results.assign(columns.begin(), columns.end());
+    const auto outcome = measure(what, flock.ensemble(), strobe, std::span<const std::span<double>>(results), control);
+    EXPECT_TRUE(outcome.is_done()) << describe(outcome.refusal);
+    return columns;
+}
+
 struct Orbits {
-    std::vector<double> period, rotation, theta, omega;
-    OrbitValues values() { return {period.data(), rotation.data(), theta.data(), omega.data()}; }
+    std::vector<double> label, period, rotation, theta, omega;
 };
 
-inline Orbits orbits_of(const Flock& flock, const Strobe& strobe, double match = 1e-6) {
-    const std::size_t n = flock.size();
-    Orbits found{std::vector<double>(n), std::vector<double>(n), std::vector<double>(n), std::vector<double>(n)};
-    EXPECT_TRUE(orbits(flock.ensemble(), strobe, match, {}, found.values()));
-    return found;
+inline Orbits orbits_of(const Flock& flock, const Strobe& strobe) {
+    auto c = measured(Measure::attractors, flock, strobe);
+    return {c[0], c[1], c[2], c[3], c[4]};
 }
 
 inline std::vector<double> velocities_of(const Flock& flock, const Strobe& strobe, const Control& control = {}) {
-    std::vector<double> velocity(flock.size());
-    EXPECT_TRUE(mean_velocity(flock.ensemble(), strobe, control, velocity.data()));
-    return velocity;
+    return measured(Measure::mean_velocity, flock, strobe, control)[0];
 }
 
 struct Exponents {
     std::vector<double> exponent, error, horizon, history;
 };
 
-inline Exponents exponents_of(const Flock& flock, const Strobe& strobe, std::size_t rows = 0, const Control& control = {}) {
-    const std::size_t n = flock.size();
-    Exponents found{std::vector<double>(n), std::vector<double>(n), std::vector<double>(n), std::vector<double>(rows * n)};
-    EXPECT_TRUE(lyapunov(flock.ensemble(), strobe, control,
-                         {found.exponent.data(), found.error.data(), found.horizon.data(), found.history.data(), rows}));
-    return found;
+inline Exponents exponents_of(const Flock& flock, const Strobe& strobe, double rows = 0, const Control& control = {}) {
+    Strobe with_rows = strobe;
+    with_rows.history_rows = rows;
+    auto c = measured(Measure::lyapunov, flock, with_rows, control);
+    return {c[0], c[1], c[2], c[3]};
 }
 
 struct Points {
@@ -70,10 +78,8 @@ struct Points {
 };
 
 inline Points section_of(const Flock& flock, const Strobe& strobe, const Control& control = {}) {
-    const std::size_t n = flock.size() * static_cast<std::size_t>(strobe.periods);
-    Points points{std::vector<double>(n), std::vector<double>(n), std::vector<double>(n)};
-    EXPECT_TRUE(section(flock.ensemble(), strobe, control, {points.theta.data(), points.omega.data(), points.turns.data()}));
-    return points;
+    auto c = measured(Measure::section, flock, strobe, control);
+    return {c[0], c[1], c[2]};
 }
 
 inline std::vector<double> linspace(double first, double last, std::size_t n) {

@@ -22,7 +22,7 @@ struct Group {
     Largest theta_max, tau, theta, omega, late_theta, late_omega;
 
     void add(const Case& c) {
-        const auto solution = pendula::exact(c.alpha, c.initial);
+        const auto solution = pendula::make_exact(c.alpha, c.initial);
         ++cases;
         wrong_regimes += static_cast<int>(solution.analysis.regime) != c.k;
         theta_max(ulps(solution.analysis.theta_max, c.theta_max));
@@ -52,6 +52,26 @@ void print_closed_form() {
     all.print();
 }
 
+void print_late() {
+    for (const char* group : {"clear", "near", "separatrix"}) {
+        Largest theta, omega, tail;
+        int cases = 0;
+        for (const auto& c : closed_form("late.txt")) {
+            if (c.group != group) continue;
+            ++cases;
+            const auto solution = pendula::make_exact(c.alpha, c.initial);
+            for (const auto& i : c.instants) {
+                const auto e = error_at(c, solution, i);
+                theta(e.theta);
+                omega(e.omega);
+                if (c.k == 0) tail(error(pendula::at(solution, i.t).omega, i.omega) / stated_tail_error(c, i));
+            }
+        }
+        std::printf("| %s | %d | %.1e | %.1e | ", group, cases, theta.value, omega.value);
+        std::printf(tail.value > 0 ? "%.2g |\n" : "|\n", tail.value);
+    }
+}
+
 void print_rounding() {
     for (const auto& r : stepped()) {
         if (!r.is_long()) continue;
@@ -70,6 +90,8 @@ int main() {
     std::puts("\n| group | cases | wrong k | θM [ulp] | τ [ulp] | θ to 30 τ | ω to 30 τ | θ to 10⁶ τ | ω to 10⁶ τ |");
     std::puts("|---|---|---|---|---|---|---|---|---|");
     print_closed_form();
+    std::puts("\n| late times | cases | θ | ω | relative error of ω, in units of its bound |\n|---|---|---|---|---|");
+    print_late();
     std::puts("\n| RK4, 10⁶ steps | pendula | plain formulas |\n|---|---|---|");
     print_rounding();
 }

@@ -7,10 +7,11 @@
 #include <random>
 
 #include "kernels/dispatch.hpp"
+#include "kernels/packs.hpp"
 #include "pendula/angle.hpp"
 #include "reference_table.hpp"
-#include "taylor_scalar.hpp"
 #include "trajectories.hpp"
+#include "trajectory/scalar.hpp"
 
 namespace {
 
@@ -29,7 +30,7 @@ std::vector<Driven> driven() {
     std::vector<Driven> problems;
     for (const Row& r : table("driven.txt")) {
         if (r.words[0] == "problem")
-            problems.push_back({r.words[1] == "chaotic", {r[0], r[1], r[2], r[3], r[4], r[5]}, {r[6], r[7]}, {}});
+            problems.push_back({r.words[1] == "chaotic", {r[0], r[1], r[2], r[3], 0, r[4], r[5]}, {r[6], r[7]}, {}});
         else
             problems.back().rows.push_back(r);
     }
@@ -37,7 +38,7 @@ std::vector<Driven> driven() {
 }
 
 Sample solved(Taylor& run, double t) {
-    while (goes_on_to(run, t)) step(run);
+    while (needs_step_to(run, t)) step(run);
     return at(run, t);
 }
 
@@ -45,7 +46,7 @@ TEST(Taylor, SolvesTheDrivenPendulum) {
     for (const auto& problem : driven()) {
         // Rounding of 1e-16 a step, and what the motion makes of it: chaos a thousandfold by t = 50.
         const double tolerance = problem.is_chaotic ? 1e-12 : 1e-13;
-        auto run = taylor(problem.pendulum, problem.initial);
+        auto run = make_taylor(problem.pendulum, problem.initial);
         for (const Row& r : problem.rows) {
             const auto s = solved(run, r[0]);
             EXPECT_LE(angle_error(s.theta, s.turns, r.value(1), 0), tolerance) << problem.initial.theta << ' ' << r[0];
@@ -55,15 +56,15 @@ TEST(Taylor, SolvesTheDrivenPendulum) {
 }
 
 TEST(Taylor, KeepsRelativePrecisionOfSmallAmplitudes) {
-    auto run = taylor({}, {1e-9, 0});
-    const auto solution = exact(1, {1e-9, 0});
+    auto run = make_taylor({}, {1e-9, 0});
+    const auto solution = make_exact(1, {1e-9, 0});
     for (int i = 1; i <= 100; ++i) EXPECT_NEAR(solved(run, i).theta, at(solution, i).theta, 1e-9 * 1e-14 * i);
 }
 
 TEST(Taylor, ErrsNoMoreThanItsTolerance) {
     for (double tolerance : {1e-3, 1e-6, 1e-9, 1e-12, 1e-15}) {
-        auto run = taylor({}, {2, 0}, tolerance);
-        const auto want = at(exact(1, {2, 0}), 50);
+        auto run = make_taylor({}, {2, 0}, tolerance);
+        const auto want = at(make_exact(1, {2, 0}), 50);
         const auto got = solved(run, 50);
         // Errors of all steps, carried on for as long; rounding below.
         EXPECT_NEAR(got.theta, want.theta, 50 * tolerance + 1e-14) << tolerance;
@@ -72,8 +73,8 @@ TEST(Taylor, ErrsNoMoreThanItsTolerance) {
 
 TEST(Taylor, FollowsTheClosedFormThroughEveryRegime) {
     for (State initial : {State{0.1, 0}, {2.5, 0.5}, {0, 1.999}, {1, -1.9}, {0, 2.5}, {0, -30}, {3, 1000}}) {
-        auto run = taylor({}, initial);
-        const auto solution = exact(1, initial);
+        auto run = make_taylor({}, initial);
+        const auto solution = make_exact(1, initial);
         // Rounding of 1e-16 in energy moves the rate by as much over kappa', hence the angle by that times t.
         const double tolerance = 1e-14 / std::fmin(1, std::fabs(energy(1, initial) - 2));
         for (int i = 1; i <= 100; ++i) {
@@ -87,12 +88,12 @@ TEST(Taylor, FollowsTheClosedFormThroughEveryRegime) {
 }
 
 TEST(Taylor, KeepsTheEnergyOver1e5Units) {
-    auto run = taylor({}, {1.5, 0});
+    auto run = make_taylor({}, {1.5, 0});
     const double start = energy(1, {1.5, 0});
     Largest worst;
     while (!reaches(run, 1e5)) {
         step(run);
-        worst(std::fabs(energy(1, {run.theta, run.omega}) - start));
+        worst(std::fabs(energy(1, {run.step.start.theta, run.step.start.omega}) - start));
     }
     // What 2e5 steps leave out, a few 1e-18 each and all alike.
     EXPECT_LE(worst.value, 1e-12);
@@ -100,10 +101,10 @@ TEST(Taylor, KeepsTheEnergyOver1e5Units) {
 
 TEST(Taylor, RowsDependNeitherOnBlocksNorOnBudgets) {
     Problem problem;
-    problem.pendulum = {1, 0.5, 0, 1.5, 2.0 / 3, 0};
+    problem.pendulum = {.beta = 0.5, .drive_amplitude = 1.5, .drive_frequency = 2.0 / 3};
     problem.initial = {0.2, 0};
     problem.method = Method::taylor;
-    problem.schedule = schedule({0.01, 0.07, 100});
+    problem.schedule = make_schedule({0.01, 0.07, 100});
     const auto rows = all_rows(problem), others = all_rows(problem, 7, 1);
     ASSERT_EQ(rows.size(), 1429u);
     ASSERT_EQ(others.size(), rows.size());
@@ -112,17 +113,18 @@ TEST(Taylor, RowsDependNeitherOnBlocksNorOnBudgets) {
         EXPECT_EQ(rows[i].omega, others[i].omega);
         EXPECT_EQ(rows[i].turns, others[i].turns);
     }
-    auto run = taylor(problem.pendulum, problem.initial);
+    auto run = make_taylor(problem.pendulum, problem.initial);
     for (const auto& row : rows) EXPECT_EQ(solved(run, row.t).theta, row.theta);
 }
 
 TEST(Taylor, EndsOfStepsAreTheStartsOfTheNext) {
-    auto run = taylor({1, 0.1, 0.05, 1, 0.7, 0}, {-1, 2});
+    auto run = make_taylor({.beta = 0.1, .torque = 0.05, .drive_amplitude = 1, .drive_frequency = 0.7}, {-1, 2});
     for (int i = 0; i < 1000; ++i) {
-        const auto end = at(run, run.t + run.length);
+        const auto end = at(run, run.step.t + run.step.length);
         step(run);
         // The step's end lies within an ulp of the time asked for.
-        EXPECT_LE(angle_error(end.theta, end.turns, {run.theta, 0}, run.turns), 1e-15 + 5 * ulp(run.t));
+        EXPECT_LE(angle_error(end.theta, end.turns, {run.step.start.theta, 0}, run.step.start.turns),
+                  1e-15 + 5 * ulp(run.step.t));
     }
 }
 
@@ -130,7 +132,7 @@ TEST(Taylor, OfAnEndlessMotionIsNan) {
     Problem problem;
     problem.pendulum.torque = 1e300;
     problem.method = Method::taylor;
-    problem.schedule = schedule({1, 1, 10});
+    problem.schedule = make_schedule({1, 1, 10});
     const auto rows = all_rows(problem);
     ASSERT_EQ(rows.size(), 11u);
     EXPECT_EQ(rows[0].theta, 0);
@@ -140,12 +142,12 @@ TEST(Taylor, OfAnEndlessMotionIsNan) {
 TEST(Taylor, OfWhatIsNotFiniteIsNanEverywhere) {
     const double nan = std::nan(""), inf = HUGE_VAL;
     for (State initial : {State{nan, 0}, {0, nan}, {inf, 0}, {0, inf}}) {
-        auto run = taylor({}, initial);
+        auto run = make_taylor({}, initial);
         EXPECT_TRUE(reaches(run, 1e9));
         EXPECT_TRUE(std::isnan(at(run, 1).theta));
     }
-    EXPECT_TRUE(reaches(taylor({nan}, {1, 0}), 1));
-    EXPECT_TRUE(reaches(taylor({1, 0, inf}, {1, 0}), 1));
+    EXPECT_TRUE(reaches(make_taylor({nan}, {1, 0}), 1));
+    EXPECT_TRUE(reaches(make_taylor({1, 0, inf}, {1, 0}), 1));
 }
 
 using kernels::Chunk;
@@ -159,19 +161,20 @@ void put_members(Chunk& c) {
     c = {};
     c.count = 61;
     for (int i = 0; i < chunk_size; ++i) {
-        c.theta[i] = uniform(-3, 3);
-        c.omega[i] = uniform(-3, 3);
-        c.turns[i] = c.theta_lo[i] = c.omega_lo[i] = c.tangent_omega[i] = 0;
-        c.tangent_theta[i] = 1;
-        c.alpha[i] = uniform(0.1, 10);
-        c.beta[i] = i % 3 == 0 ? 0 : uniform(0, 1);
-        c.torque[i] = i % 5 == 1 ? uniform(-1, 1) : 0;
-        c.drive_amplitude[i] = i % 2 == 0 ? uniform(0, 2) : 0;
-        c.drive_frequency[i] = uniform(0.1, 3);
-        c.drive_phase[i] = uniform(-4, 4);
+        auto& [alpha, beta, torque, drive_amplitude, pivot_amplitude, drive_frequency, drive_phase] = c.parameters;
+        c.motion.theta[i] = uniform(-3, 3);
+        c.motion.omega[i] = uniform(-3, 3);
+        c.tangent.theta[i] = 1;
+        alpha[i] = uniform(0.1, 10);
+        beta[i] = i % 3 == 0 ? 0 : uniform(0, 1);
+        torque[i] = i % 5 == 1 ? uniform(-1, 1) : 0;
+        drive_amplitude[i] = i % 2 == 0 ? uniform(0, 2) : 0;
+        pivot_amplitude[i] = i % 7 == 3 ? uniform(-2, 2) : 0;
+        drive_frequency[i] = uniform(0.1, 3);
+        drive_phase[i] = uniform(-4, 4);
     }
-    c.theta[17] = c.omega[17] = c.turns[17] = std::nan("");
-    c.torque[19] = 1e308;
+    c.motion.theta[17] = c.motion.omega[17] = c.motion.turns[17] = std::nan("");
+    c.parameters.torque[19] = 1e308;
 }
 
 bool same(double a, double b) {
@@ -187,20 +190,21 @@ TEST(Taylor, OfAMemberIsThatOfItselfAlone) {
     kernels::start_taylor(steps, c, 1e-15, t);
     std::vector<Taylor> alone;
     for (int i = 0; i < c.count; ++i)
-        alone.push_back(
-            taylor({c.alpha[i], c.beta[i], c.torque[i], c.drive_amplitude[i], c.drive_frequency[i], c.drive_phase[i]},
-                   {c.theta[i], c.omega[i]}));
+        alone.push_back(make_taylor(std::bit_cast<Pendulum>(kernels::load<double, kernels::Parameters>(c.parameters, i)),
+                                    {c.motion.theta[i], c.motion.omega[i]}));
     for (int row = 0; row < 40; ++row) {
         for (int i = 0; i < chunk_size; ++i) t[i] = row * 0.05 * (i + 1);
         while (!kernels::dispatch().taylor(c, steps, t, 5)) {
         }
         for (int i = 0; i < c.count; ++i) {
             const auto s = solved(alone[static_cast<std::size_t>(i)], t[i]);
-            EXPECT_TRUE(same(c.theta[i], s.theta) && same(c.omega[i], s.omega) && same(c.turns[i], s.turns)) << row << ' ' << i;
+            EXPECT_TRUE(same(c.motion.theta[i], s.theta) && same(c.motion.omega[i], s.omega) &&
+                        same(c.motion.turns[i], s.turns))
+                << row << ' ' << i;
         }
     }
-    EXPECT_TRUE(std::isnan(c.theta[17]) && std::isnan(c.theta[19]));
-    EXPECT_FALSE(std::isnan(c.theta[16]) || std::isnan(c.theta[20]));
+    EXPECT_TRUE(std::isnan(c.motion.theta[17]) && std::isnan(c.motion.theta[19]));
+    EXPECT_FALSE(std::isnan(c.motion.theta[16]) || std::isnan(c.motion.theta[20]));
 }
 
 TEST(Taylor, TangentsAreTheDifferencesOfNeighbours) {
@@ -213,8 +217,8 @@ TEST(Taylor, TangentsAreTheDifferencesOfNeighbours) {
     Chunk ahead = c, behind = c;
     constexpr double h = 1e-5;
     for (int i = 0; i < c.count; ++i) {
-        ahead.theta[i] += h;
-        behind.theta[i] -= h;
+        ahead.motion.theta[i] += h;
+        behind.motion.theta[i] -= h;
         t[i] = 5;
     }
     while (!kernels::dispatch().taylor_tangent(c, steps, t, 5)) {
@@ -228,12 +232,12 @@ TEST(Taylor, TangentsAreTheDifferencesOfNeighbours) {
     solve_plainly(ahead);
     solve_plainly(behind);
     for (int i = 0; i < c.count; ++i) {
-        const double turn = 2 * pi * (ahead.turns[i] - behind.turns[i]);
-        const double slope = (ahead.theta[i] - behind.theta[i] + turn) / (2 * h);
+        const double turn = 2 * pi * (ahead.motion.turns[i] - behind.motion.turns[i]);
+        const double slope = (ahead.motion.theta[i] - behind.motion.theta[i] + turn) / (2 * h);
         // h^2 of the third derivative, which grows like the cube of the first; rounding 1e-14/h.
-        const double slack = 1e-8 * (1 + std::pow(std::fabs(c.tangent_theta[i]) + std::fabs(c.tangent_omega[i]), 3));
-        EXPECT_NEAR(c.tangent_theta[i], slope, slack) << i;
-        EXPECT_NEAR(c.tangent_omega[i], (ahead.omega[i] - behind.omega[i]) / (2 * h), slack) << i;
+        const double slack = 1e-8 * (1 + std::pow(std::fabs(c.tangent.theta[i]) + std::fabs(c.tangent.omega[i]), 3));
+        EXPECT_NEAR(c.tangent.theta[i], slope, slack) << i;
+        EXPECT_NEAR(c.tangent.omega[i], (ahead.motion.omega[i] - behind.motion.omega[i]) / (2 * h), slack) << i;
     }
 }
 

@@ -13,7 +13,7 @@ inline std::vector<pendula::Sample> all_rows(const pendula::Problem& problem, st
     std::vector<pendula::Sample> some(block);
     // A budget of one step still goes on by at least a step a call.
     for (double calls = 0; !run.is_finished() && calls <= problem.schedule.steps() + problem.schedule.rows; ++calls) {
-        const std::size_t n = pendula::advance(run, block, some.data(), budget);
+        const std::size_t n = pendula::advance(run, some, budget);
         rows.insert(rows.end(), some.begin(), some.begin() + static_cast<std::ptrdiff_t>(n));
     }
     return rows;
@@ -26,7 +26,7 @@ inline pendula::Problem stepwise(pendula::Method method, double alpha, pendula::
     problem.pendulum.alpha = alpha;
     problem.initial = initial;
     problem.method = method;
-    problem.schedule = {h * steps, rows + 1, steps, h};
+    problem.schedule = {h * steps, rows + 1, steps};
     return problem;
 }
 

@@ -40,12 +40,12 @@ void expect_printable(const std::string& message) {
 void read_problems() {
     Tokens tokens;
     try {
-        for (std::size_t number = 1; const auto read = read_problem(tokens, number); ++number) {
-            const Statement& statement = read->statement;
-            expect_legal(statement.pendulum, statement.initial);
-            for (const Duration& factor : {statement.dt, statement.every, statement.until})
+        for (std::size_t number = 1; const auto statement = read_problem(tokens, number); ++number) {
+            expect_legal(statement->pendulum, statement->initial);
+            const auto& [dt, every, until] = statement->durations;
+            for (const Duration& factor : {dt, every, until})
                 expect(factor.is_factor && satisfies(Rule::positive, factor.value));
-            expect(prepare(statement, read->place).problem.schedule.is_feasible());
+            expect(!check(prepare(*statement).problem));
         }
     } catch (const Failure& failure) {
         expect(failure.status == Status::bad_data);

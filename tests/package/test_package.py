@@ -1,6 +1,7 @@
 """The installed package serves a program outside the tree, by find_package and by pkg-config, from wherever it is moved; and
 the READMEs show what happens."""
 
+import math
 import os
 import re
 import shutil
@@ -10,8 +11,7 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
-EXAMPLE = ROOT / "examples" / "library"
-OUTPUT = "0.148326 1.5598 -0.148324\n"
+EXAMPLES = ROOT / "examples"
 READMES = [ROOT / "README.md", ROOT / "README.es.md"]
 
 
@@ -31,29 +31,110 @@ def prefix(tmp_path_factory):
 
 
 def test_every_public_header_is_installed(prefix):
-    public = {path.name for path in (ROOT / "include" / "pendula").iterdir()}
+    public = {path.name for path in (ROOT / "include" / "pendula").iterdir()} | {"version.hpp"}  # made by the build
     assert {path.name for path in (prefix / "include" / "pendula").iterdir()} == public
 
 
-def test_find_package(prefix, tmp_path):
-    shutil.copytree(EXAMPLE, tmp_path / "source")
-    run("cmake", "-S", tmp_path / "source", "-B", tmp_path / "build", f"-DCMAKE_PREFIX_PATH={prefix}")
-    run("cmake", "--build", tmp_path / "build")
-    assert run(tmp_path / "build" / "example") == OUTPUT
+@pytest.fixture(scope="module")
+def examples(prefix, tmp_path_factory):
+    """The folder of the programs of examples/, built by find_package."""
+    folder = tmp_path_factory.mktemp("examples")
+    sources = folder / "source"
+    sources.mkdir()
+    for source in (EXAMPLES / "CMakeLists.txt", *EXAMPLES.glob("*.cpp")):
+        shutil.copy(source, sources)
+    run("cmake", "-S", sources, "-B", folder / "build", f"-DCMAKE_PREFIX_PATH={prefix}")
+    run("cmake", "--build", folder / "build")
+
+    return folder
 
 
-def test_pkg_config(prefix, tmp_path):
+def printed(examples, name):
+    """The numbers of each line that an example prints."""
+    text = run("sh", "-c", f"cd {examples} && build/{name}")
+    return [[float(x) for x in re.findall(r"(?<![\w^])[-+]?\d+(?:\.\d+)?", line)] for line in text.splitlines()]
+
+
+def arithmetic_geometric_mean(a, b):
+    while abs(a - b) > 1e-15:
+        a, b = (a + b) / 2, math.sqrt(a * b)
+    return a
+
+
+def test_example_period_and_amplitude(examples):
+    rows = {row[0]: row[1:] for row in printed(examples, "period_and_amplitude")[1:]}
+    assert list(rows) == [1, 30, 90, 150, 179]
+    for degrees, (period, series, measured) in rows.items():
+        exact = 1 / arithmetic_geometric_mean(1, math.cos(math.radians(degrees) / 2))
+        assert period == pytest.approx(exact, abs=6e-10)  # nine decimals are printed
+        assert measured == pytest.approx(exact, abs=6e-10)
+        if degrees == 1:
+            assert series == pytest.approx(exact, abs=6e-10)
+
+
+def test_example_phase_portrait(examples):
+    rows = [row for row in printed(examples, "phase_portrait") if len(row) == 3]
+    assert len(rows) == 6 * 21
+    alpha = 9.81 / 0.5
+    for number, of_top in enumerate((0.1, 0.5, 0.9, 1.0, 1.1, 2.0)):
+        for _, theta, omega in rows[21 * number : 21 * number + 21]:
+            energy = omega**2 / 2 + alpha * (1 - math.cos(theta))
+            assert energy == pytest.approx(2 * alpha * of_top, abs=3e-5)  # six decimals times omega, and times alpha
+
+
+def test_example_bifurcation(examples):
+    rows = printed(examples, "bifurcation")[1:]
+    assert [row[:2] for row in rows] == [
+        [0.9, 1],
+        [1.07, 2],
+        [1.15, 0],
+        [1.35, 1],
+        [1.45, 2],
+        [1.47, 4],
+        [1.5, 0],
+    ]  # as published
+    exponents = [row[2] for row in rows]
+    assert exponents[0] == exponents[3] == -0.25  # half the friction
+    assert [x > 0 for x in exponents] == [period == 0 for _, period, _ in rows]
+    assert len((examples / "bifurcation.txt").read_text().splitlines()) == 40_100
+
+
+def test_example_current_voltage(examples):
+    for current, voltage, law, driven in printed(examples, "current_voltage")[1:]:
+        assert law == pytest.approx(math.sqrt(max(current**2 - 1, 0)) / 10, abs=6e-5)
+        assert voltage == pytest.approx(law, abs=3e-4)  # of order alpha/beta^2, and a turn in 5000 periods
+        if current in (1.1, 1.5):
+            assert driven == 1  # on the first Shapiro step
+
+
+def test_example_kapitza(examples):
+    for part, departure in printed(examples, "kapitza")[1:]:
+        assert departure > 3 if part < 1 else departure < 0.02
+
+
+def compile_with_pkg_config(prefix, source, program):
     folder = next(prefix.rglob("pendula.pc")).parent
     flags = run("pkg-config", "--cflags", "--libs", "pendula", PKG_CONFIG_PATH=str(folder)).split()
-    run("c++", "-std=c++20", EXAMPLE / "main.cpp", *flags, "-o", tmp_path / "example")
-    assert run(tmp_path / "example") == OUTPUT
+    run("c++", "-std=c++20", source, *flags, "-o", program)
+    return program
+
+
+def test_pkg_config(prefix, examples, tmp_path):
+    program = compile_with_pkg_config(prefix, EXAMPLES / "kapitza.cpp", tmp_path / "kapitza")
+    assert run(program) == run(examples / "build" / "kapitza")
 
 
 @pytest.mark.parametrize("readme", READMES, ids=lambda path: path.name)
-def test_a_readme_shows_the_example_and_what_the_program_prints(prefix, readme):
-    text = readme.read_text()
-    assert (EXAMPLE / "main.cpp").read_text() in text
-    command, shown = re.search(r"^\$ (.*)\n([^`]*)```", text, re.MULTILINE).groups()
+def test_a_readme_shows_what_its_program_prints(prefix, readme, tmp_path):
+    (code,) = re.findall(r"^```cpp\n(.*?)^```", readme.read_text(), re.MULTILINE | re.DOTALL)
+    (tmp_path / "main.cpp").write_text(code)
+    shown = re.search(r"printf.*// (.*)", code)[1] + "\n"
+    assert run(compile_with_pkg_config(prefix, tmp_path / "main.cpp", tmp_path / "main")) == shown
+
+
+@pytest.mark.parametrize("readme", READMES, ids=lambda path: path.name)
+def test_a_readme_shows_what_its_command_prints(prefix, readme):
+    command, shown = re.search(r"^\$ (.*)\n([^`]*)```", readme.read_text(), re.MULTILINE).groups()
     path = f"{prefix / 'bin'}:{os.environ['PATH']}"
     assert run("sh", "-c", command, PATH=path) == shown
 

@@ -1,13 +1,13 @@
 """The installed package, and the program that came with it."""
 
 import json
-import subprocess
 import sysconfig
 from pathlib import Path
 
 import numpy as np
 import pytest
 from hypothesis import settings
+from processes import finished
 
 PROGRAM = Path(sysconfig.get_path("scripts")) / "pendula"
 
@@ -21,9 +21,9 @@ def program():
     """Runs the program and returns what it prints."""
 
     def run(*arguments, text=""):
-        done = subprocess.run([PROGRAM, *arguments], input=text, capture_output=True, text=True, timeout=600)
-        assert (done.returncode, done.stderr) == (0, "")
-        return done.stdout
+        done = finished([PROGRAM, *arguments], text.encode(), seconds=600)
+        assert (done.returncode, done.stderr) == (0, b"")
+        return done.stdout.decode()
 
     return run
 

@@ -1,11 +1,17 @@
 """Arrays of every kind: what is legal is taken as it is, all else is named."""
 
+import inspect
+import os
 import re
+import subprocess
+import sys
+from dataclasses import replace
 
 import numpy as np
 import pendula
 import pytest
 from doubles import same_bits
+from pendula import _core, measure
 
 THETA = np.linspace(-3, 3, 12).reshape(3, 4)
 PLAIN = pendula.exact(THETA, 0.5, 2.0)
@@ -53,7 +59,7 @@ def test_other_real_numbers_become_float64(dtype):
 
 
 def test_scalars_give_scalars_and_arrays_arrays():
-    assert all(type(value) is np.float64 for value in pendula.exact(1, 0.5, np.array(2.0)))
+    assert all(isinstance(value, np.float64) for value in pendula.exact(1, 0.5, np.array(2.0)))
     assert isinstance(pendula.analyze(1, 0).regime, pendula.Regime)
     assert pendula.exact([1], 0.5, 2)[0].shape == (1,)
     assert pendula.exact(np.empty((0, 3)), 0.5, 2)[0].shape == (0, 3)
@@ -80,6 +86,56 @@ def test_what_is_no_real_number_is_a_type_error_that_names_the_argument(value):
             call()
 
 
+def test_masks_are_refused_and_not_ignored():
+    masked = np.ma.array([1.0, 2.0], mask=[False, True])
+    with pytest.raises(TypeError, match=r"^omega0 must be real numbers, got a masked array, whose masks would be ignored"):
+        pendula.analyze(1, [masked, (masked, masked)])
+    for call in (lambda: pendula.exact(1, masked, 2), lambda: pendula.solve(1, masked), lambda: measure.section(1, masked)):
+        with pytest.raises(TypeError, match=r"^omega0 must be real numbers, got a masked array, whose masks would be ignored$"):
+            call()
+
+
+@pytest.mark.parametrize("value", [b"abc", "x", None, np.array(["2000"], dtype="M8"), {}])
+def test_the_extension_itself_refuses_what_is_no_real_number(value):
+    with pytest.raises(TypeError, match=r"^theta must be real numbers, got "):
+        _core.wrap(value)
+
+
+def test_the_extension_itself_converts_other_formats():
+    solution = pendula.solve([1.0, -2.0], [0.5, 3.0], dt=0.1, every=1, until=5)
+    single = replace(solution, theta=solution.theta.astype("f4"))
+    assert same_bits(single.unwrapped, replace(solution, theta=single.theta.astype(float)).unwrapped)
+
+
+def test_a_name_that_is_no_parameter_is_told_with_those_that_are():
+    unknown = {"gamma": 1.0}
+    for call in (pendula.solve, measure.section, measure.lyapunov, pendula.Parameters):
+        with pytest.raises(
+            TypeError,
+            match=r"^'gamma' is no parameter of a pendulum, nor another argument of this call; parameters are theta0, omega0, alpha",
+        ):
+            call(0.2, 0.0, **unknown)
+
+
+@pytest.mark.parametrize(
+    "function", [pendula.solve, measure.section, measure.mean_velocity, measure.lyapunov, measure.attractors]
+)
+def test_signatures_and_docs_name_every_parameter(function):
+    shown = inspect.signature(function).parameters
+    for each in _core.parameters:
+        assert shown[each.name].default == (inspect.Parameter.empty if each.is_initial else each.default)
+        assert f"{each.name}: {each.symbol}, {each.meaning} [{each.unit}]" in function.__doc__
+    assert not any(each.kind == each.VAR_KEYWORD for each in shown.values())
+
+
+def test_measures_show_the_cores_defaults():
+    for info in _core.measures:
+        shown = inspect.signature(getattr(measure, info.name)).parameters
+        defaults = {name: shown[name].default for name in ("transient", "periods", "steps_per_period", "method", "tolerance")}
+        strobe = _core.Strobe()
+        assert defaults == {name: getattr(strobe, name) for name in defaults} | {"periods": info.periods}
+
+
 BAD_VALUES = {
     "theta0": ([np.nan, np.inf, -np.inf], "finite"),
     "omega0": ([np.nan, np.inf], "finite"),
@@ -87,6 +143,7 @@ BAD_VALUES = {
     "beta": ([-1.0, np.nan], "finite and not negative"),
     "torque": ([np.inf], "finite"),
     "drive_amplitude": ([np.nan], "finite"),
+    "pivot_amplitude": ([-np.inf], "finite"),
     "drive_frequency": ([-1.0, np.inf], "finite and not negative"),
     "drive_phase": ([np.nan], "finite"),
     "dt": ([0.0, -1.0, np.nan], "positive and finite"),
@@ -98,7 +155,7 @@ EACH_BAD = [(name, value, legal) for name, (values, legal) in BAD_VALUES.items()
 
 @pytest.mark.parametrize(("name", "value", "legal"), EACH_BAD)
 def test_a_value_outside_is_named_with_its_interval_and_its_place(name, value, legal):
-    given = {"theta0": 1.0, "omega0": 0.0}
+    given = {"theta0": 1.0, "omega0": 0.0, "drive_frequency": 1.0}
     message = f"{name} must be {legal}, got {value:g}"
     with pytest.raises(ValueError, match=f"^{re.escape(message)}$"):
         pendula.solve(**given | {name: value})
@@ -115,27 +172,141 @@ def test_times_of_the_closed_form_must_be_finite():
         pendula.exact(1, 0, 1, alpha=0)
 
 
+@pytest.mark.parametrize("t", [1e100, -1e100, 1e18])
+def test_times_to_which_the_closed_form_is_not_carried_are_refused(t):
+    message = rf"^the closed form is right up to t = \d+ s, not at {re.escape(f'{t:g}')} s$"
+    for call in (lambda: pendula.exact(1, 0, [0, t]), lambda: pendula.solve(1, 0, t=[0, t], method="exact")):
+        with pytest.raises(ValueError, match=message):
+            call()
+
+
+def test_late_times_that_the_closed_form_is_carried_to_are_right():
+    assert abs(pendula.exact(1, 0, 8e15)[0] - 0.99612) <= 5e-6
+    assert abs(pendula.exact(1, 0, 1e16)[0] - 0.11484) <= 5e-6  # the digits that are known
+
+
 @pytest.mark.parametrize(
     ("given", "message"),
     [
         ({"method": "rk5"}, "method must be one of rk4, euler, verlet, taylor, exact, got 'rk5'"),
-        ({"method": "exact", "beta": 0.1}, "method exact needs beta, torque and drive_amplitude to be 0"),
-        ({"method": "verlet", "beta": [0, 0.1]}, "method verlet needs beta to be 0, got 0.1"),
-        ({"drive_amplitude": 1}, "drive_frequency must be positive and finite, got 0"),
+        ({"method": 99}, "method must be one of rk4, euler, verlet, taylor, exact, got 99"),
+        ({"method": "exact", "beta": 0.1}, "method exact needs a pendulum without friction, torque, drive and shaken pivot"),
+        (
+            {"method": "exact", "pivot_amplitude": [0, 1.0], "drive_frequency": 1},
+            "pendulum at index (1,): method exact needs a pendulum without friction, torque, drive and shaken pivot",
+        ),
+        ({"method": "verlet", "beta": [0, 0.1]}, "pendulum at index (1,): method verlet needs a pendulum without friction"),
+        (
+            {"drive_amplitude": 1},
+            "a drive or a shaken pivot needs a frequency: drive_frequency must be positive and finite, got 0",
+        ),
+        (
+            {"pivot_amplitude": 1},
+            "a drive or a shaken pivot needs a frequency: drive_frequency must be positive and finite, got 0",
+        ),
+        (
+            {"drive_amplitude": [[0], [1]], "alpha": [1, 2, 3]},
+            "pendulum at index (1, 0): a drive or a shaken pivot needs a frequency: drive_frequency must be positive and finite, got 0",
+        ),
+        (
+            {"drive_amplitude": [[0], [1]], "drive_frequency": [3, 2, 0]},
+            "a drive or a shaken pivot needs a frequency: drive_frequency must be positive and finite, got 0 at index (2,)",
+        ),
         ({"tolerance": 1.0}, "tolerance must be between 0 and 1, both excluded, got 1"),
-        ({"threads": 0}, "threads must be at least 1, got 0"),
+        ({"threads": 0}, "threads must be a whole number from 1 to 256, got 0"),
+        ({"threads": 1.5}, "threads must be a whole number from 1 to 256, got 1.5"),
+        ({"threads": 257}, "threads must be a whole number from 1 to 256, got 257"),
+        ({"threads": 10**30}, "threads must be a whole number from 1 to 256, got 1e+30"),
+        ({"dt": -5, "method": "taylor"}, "dt must be positive and finite, got -5"),
+        ({"dt": -5, "method": "exact"}, "dt must be positive and finite, got -5"),
         ({"t": [0, 1], "until": 1}, "t cannot be given together with until or every"),
         ({"t": [[0, 1]]}, "t must have one axis, got shape (1, 2)"),
         ({"t": [0, 1, 3]}, "t must begin at 0 or later and grow by even steps"),
         ({"t": [-1, 0, 1]}, "t must begin at 0 or later and grow by even steps"),
         ({"until": [1, 2], "every": 0.1, "dt": 0.1}, "until/every must give all pendulums as many rows, got from 11 to 21"),
-        ({"until": 1e30}, "a run must have at most 2^53 rows and steps, got "),
+        ({"until": 1e30}, "there would be 7.4"),
         ({"theta0": [1, 2], "alpha": [1, 2, 3]}, "arguments cannot be broadcast together: their shapes are (2,)"),
+        ({"beta": 1e6, "dt": 0.1, "every": 1}, "every/dt must be at least 359713, or the method is unstable, got 10"),
+        (
+            {"beta": [0, 1e6], "t": [1.0, 2.0], "dt": 0.1},
+            "pendulum at index (1,): t[0]/dt must be at least 359713, or the method is unstable, got 10; or use method taylor",
+        ),
     ],
 )
 def test_what_makes_no_run_says_why(given, message):
     with pytest.raises(ValueError, match=f"^{re.escape(message)}"):
         pendula.solve(**{"theta0": 1.0, "omega0": 0.0} | given)
+
+
+@pytest.mark.parametrize(
+    ("given", "message"),
+    [
+        ({"tolerance": [1e-3]}, "tolerance must be a real number, got an array of shape (1,)"),
+        ({"tolerance": "1e-3"}, "tolerance must be a real number, got <U4 '1e-3'"),
+        ({"threads": "2"}, "threads must be a real number, got <U1 '2'"),
+        ({"dt": "2"}, "dt must be real numbers, got <U1 '2'"),
+    ],
+)
+def test_a_setting_that_is_no_number_is_a_type_error(given, message):
+    with pytest.raises(TypeError, match=f"^{re.escape(message)}$"):
+        pendula.solve(1.0, 0.0, **given)
+
+
+def test_parameters_are_kept_as_floats_and_float64():
+    parameters = pendula.Parameters([1, 2], 0)
+    assert parameters.shape == (2,)
+    assert (parameters.theta0.dtype, parameters.alpha) == (np.float64, 1.0)
+    kept = pendula.solve(1, 0, beta=[[1], [2]], method="taylor", every=1, until=1).parameters
+    assert (kept.shape, type(kept.theta0)) == ((2, 1), float)
+    assert not kept.is_conservative
+    assert pendula.Parameters([1, 2], 0, 3).is_conservative
+    with pytest.raises(TypeError, match=r"^beta must be real numbers"):
+        pendula.Parameters(1, 0, beta="x")
+
+
+@pytest.mark.parametrize("method", ["taylor", "exact"])
+def test_methods_without_a_step_have_none(method):
+    assert pendula.solve(1.0, 0.0, t=[0.0, 1.0], method=method).dt is None
+    assert pendula.solve(1.0, 0.0, every=1, until=2, dt=0.1, method=method).dt is None
+
+
+def test_a_motion_that_leaves_the_doubles_is_told():
+    message = r"^solve: the motion of 1 of 2 pendulums leaves the doubles; results are nan from row 1 on$"
+    with pytest.warns(RuntimeWarning, match=message) as told:
+        solution = pendula.solve(0.0, [1.0, 1e308], dt=5, every=10, until=30)
+    assert told[0].filename == __file__
+    assert np.isfinite(solution.theta[0]).all()
+    assert np.isnan(solution.theta[1, 1:]).all()
+
+
+@pytest.mark.parametrize("info", _core.measures, ids=lambda info: info.name)
+def test_measures_that_cannot_be_had_are_told(info):
+    far = {"torque": [0.0, 0.0, 1e308], "alpha": 1e-10, "periods": 5, "transient": 0}
+    rows = " from row 1 on" if info.columns[0].has_rows else ""
+    message = rf"^{info.name}: the motion of 1 of 3 pendulums leaves the doubles; results are nan{rows}$"
+    with pytest.warns(RuntimeWarning, match=message) as told:
+        getattr(measure, info.name)(0.0, 1e-6, **far)
+    assert told[0].filename == __file__
+
+
+@pytest.mark.parametrize("name", ["nosuch", ""])
+def test_a_wrong_instruction_set_stops_the_import(name):
+    done = subprocess.run(
+        [sys.executable, "-c", "import pendula"],
+        env=os.environ | {"PENDULA_ISA": name},
+        capture_output=True,
+        text=True,
+        timeout=60,
+    )
+    assert done.returncode == 1
+    assert "ImportError: PENDULA_ISA must be one of the instruction sets of this processor" in done.stderr
+
+
+def test_a_pivot_shaken_fast_holds_the_pendulum_on_top():
+    """Kapitza: the upright state is stable above P² = 2 α Ω²."""
+    for amplitude, is_held in ((40.0, True), (20.0, False)):
+        theta = pendula.solve(np.pi - 0.1, 0.0, pivot_amplitude=amplitude, drive_frequency=20.0, every=0.05, until=20).theta
+        assert (abs(_core.wrap(theta - np.pi)).max() < 0.5) == is_held
 
 
 @pytest.mark.parametrize("theta0", [1.0, -1e299])
@@ -165,6 +336,23 @@ def test_times_may_begin_later():
     late = pendula.solve([1.0, 2.0], 0.0, t=np.linspace(7, 9, 21), dt=0.01)
     assert np.all(abs(late.t - np.linspace(7, 9, 21)) <= 2 * np.spacing(9.0))
     assert np.all(abs(late.error) <= 1e-8)  # of order 4: (0.01)^4 for each unit of time
+
+
+@pytest.mark.parametrize("method", ["rk4", "euler", "verlet"])
+def test_rows_of_a_late_start_are_in_steps_as_asked_for(method):
+    late = pendula.solve(1.0, 0.0, t=[100.0, 101.0, 102.0], dt=0.3, method=method)
+    first = pendula.solve(1.0, 0.0, every=100.0, until=100.0, dt=0.3, method=method)
+    assert same_bits(late.theta[0], first.theta[1])
+    rest = pendula.solve(late.theta[0], late.omega[0], every=1.0, until=2.0, dt=0.3, method=method)
+    # Equal steps, but for what rounding has kept of the first hundred seconds, which grows some tenfold.
+    assert np.all(abs(late.unwrapped - rest.unwrapped - late.unwrapped[0] + rest.unwrapped[0]) <= 1e-13)
+
+
+def test_pendulums_may_have_steps_of_their_own():
+    dt = np.array([0.5, 0.01, 0.1])
+    together = pendula.solve(1.0, 0.5, t=[3.0, 4.0, 5.0], dt=dt)
+    for i, each in enumerate(dt):
+        assert same_bits(together.theta[i], pendula.solve(1.0, 0.5, t=[3.0, 4.0, 5.0], dt=each).theta)
 
 
 def test_the_closed_form_takes_any_times():

@@ -6,9 +6,9 @@ import sys
 from pathlib import Path
 
 import pytest
-from pendula import _program
+from pendula import _command
 from pendula.check import asked, decoded, judge, tables
-from pendula.check._texts import FINDINGS
+from pendula.check._findings import FINDINGS
 
 PROGRAMS = Path(__file__).with_name("check_programs")
 
@@ -99,7 +99,7 @@ def problems(tmp_path_factory):
     path = tmp_path_factory.mktemp("check") / "problems.txt"
     path.write_text("\n".join(ALL))
     with path.open() as file:
-        return dict(zip(ALL, map(asked, _program.solve([], file)), strict=True))
+        return dict(zip(ALL, map(asked, _command.solve([], file)), strict=True))
 
 
 @pytest.fixture(scope="session")
@@ -186,7 +186,7 @@ def test_the_closed_form_is_as_right_as_runge_kutta_at_a_long_step(program, tmp_
     text = "0.05 0.1 3 2.5 r 0 r 1"
     (tmp_path / "problem").write_text(text)
     with (tmp_path / "problem").open() as file:
-        problem = asked(_program.solve([], file)[0])
+        problem = asked(_command.solve([], file)[0])
     for method in ("rk4", "exact"):
         judgement = judge(problem, tables(program("--method", method, text=text))[0])
         assert judgement.is_right, method

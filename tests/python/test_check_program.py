@@ -72,6 +72,13 @@ def test_the_report_for_machines_has_the_verdict_and_the_findings(check, right):
     assert [finding["name"] for finding in mark["findings"]] == ["unexplained"]
 
 
+def test_the_report_for_machines_is_json_also_where_numbers_are_not_finite(check, right):
+    table = right.replace(b"1.5708\n", b"nan\n", 1)
+    (mark,) = json.loads(check(table, "--json").stdout, parse_constant=pytest.fail)["marks"]
+    assert mark["columns"]["sine"]["largest_from_exact"] is None
+    assert [finding["name"] for finding in mark["findings"]] == ["sine_not_numbers"]
+
+
 def test_tables_that_are_missing_or_too_many_are_told(check, right, tmp_path):
     both = tmp_path / "both.txt"
     both.write_text(PROBLEM * 2)
@@ -113,6 +120,26 @@ def test_hostile_tables_are_wrong_in_words(check, table):
     done = check(table)
     assert (done.returncode, done.stderr) == (1, "")
     assert "0 of 1 tables right." in done.stdout
+    assert json.loads(check(table, "--json").stdout, parse_constant=pytest.fail)["verdict"] == "wrong"
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "0.001 0.02 1 1 r 0 r 1e200",  # of which α² is no double
+        "0.001 0.02 1 1 r 0 r 1e-200",
+        "0.001 0.02 1 1e300 r 0 r 1",
+        "0.001 0.02 1 1 r 1e160 r 1",
+        "0.001 0.02 1 0 r 0 r 1",  # θM is 0
+        "0.001 0.02 1 180 s 0 r 1",
+    ],
+)
+def test_extreme_problems_have_wrong_tables_in_words(check, text, tmp_path):
+    problem = tmp_path / "extreme.txt"
+    problem.write_text(text)
+    done = check(b"t angulo velocidad funcionSinusoidal\n0 1 0 3\n1 2 0 3\n", problem=problem)
+    assert (done.returncode, done.stderr) == (1, "")
+    assert "0 of 1 tables right." in done.stdout
 
 
 def test_paths_that_cannot_be_read_have_status_2(check, right, tmp_path):
@@ -139,6 +166,7 @@ def test_a_problem_that_is_none_has_status_2_and_its_place(check, right, tmp_pat
         done = check(right, problem=bad)
         assert done.returncode == 2
         assert why in done.stderr
+    assert "problema 1, línea 1" in check(right, "--lang", "es", problem=tmp_path / "table").stderr
 
 
 def test_what_a_table_says_is_never_executed(check, tmp_path):

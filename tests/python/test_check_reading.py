@@ -5,8 +5,7 @@ import itertools
 import numpy as np
 import pytest
 from pendula.check import UnreadableError, decoded, tables
-from pendula.check._columns import roles_of
-from pendula.check._numbers import number
+from pendula.check._table import number, roles_of
 
 ROWS = [[0.0, 1.5, -0.25], [0.5, 1.25, -2.0], [1.0, -3.0, 4e-5]]
 STYLES = {

@@ -1,6 +1,5 @@
 """What people install: one version, types, no warnings, and a README that tells the truth."""
 
-import ast
 import importlib.metadata
 import io
 import re
@@ -15,9 +14,11 @@ from pathlib import Path
 import numpy as np
 import pendula
 import pytest
-from pendula import _core
 
 ROOT = Path(__file__).resolve().parents[2]
+sys.path.append(str(ROOT / "tools"))
+import make_python_tables  # noqa: E402
+
 READMES = [ROOT / "README.md", ROOT / "README.es.md"]
 
 
@@ -44,23 +45,40 @@ def test_optional_packages_are_imported_only_where_used():
     assert run(sys.executable, "-W", "error", "-c", loaded).strip() == ""
 
 
-def test_types_are_strict():
+USERS = """
+import pendula
+angle: float = pendula.exact(1.0, 0.0, 1.0)[0]
+regime: pendula.Regime = pendula.analyze(1.0, 0.0).regime
+shape: tuple[int, ...] = pendula.solve([1.0, 2.0], 0.0, pivot_amplitude=[3.0, 4.0], drive_frequency=1).theta.shape
+exponents = pendula.measure.lyapunov(0.1, 0.0, beta=0.5, periods=30).exponent + 1.0
+"""
+
+
+def test_users_code_has_types(tmp_path):
     pytest.importorskip("mypy")
-    run(sys.executable, "-m", "mypy", "--cache-dir", "build/mypy", "--python-executable", sys.executable)
+    command = [
+        sys.executable,
+        "-m",
+        "mypy",
+        "--strict",
+        "--cache-dir",
+        ROOT / "build/mypy",
+        "--python-executable",
+        sys.executable,
+    ]
+    (tmp_path / "right.py").write_text(USERS)
+    run(*command, tmp_path / "right.py", cwd=tmp_path)
+    (tmp_path / "wrong.py").write_text(
+        "import pendula\npendula.solve(1.0, 0.0, gamma=1.0)\npendula.measure.section(1.0, 0.0, rows=2)\n"
+    )
+    done = subprocess.run([*map(str, command), "wrong.py"], cwd=tmp_path, capture_output=True, text=True, timeout=600)
+    assert re.findall(r'Unexpected keyword argument "(\w+)"', done.stdout) == ["gamma", "rows"]
 
 
-def test_the_stub_has_the_extensions_names_and_arguments():
-    stub = ast.parse(Path(_core.__file__).with_name("_core.pyi").read_text())
-    stated = {node.name: [each.arg for each in node.args.args] for node in stub.body if isinstance(node, ast.FunctionDef)}
-    found = {name: getattr(_core, name).__nb_signature__[0][0] for name in dir(_core) if callable(getattr(_core, name))}
-    public = {name: re.findall(r"(\w+):", signature) for name, signature in found.items() if not name.startswith("_")}
-    assert stated == public
-
-
-def test_ruff_has_nothing_to_say():
+@pytest.mark.parametrize("name", make_python_tables.FILES)
+def test_what_is_made_of_the_cores_tables_is_committed(name):
     pytest.importorskip("ruff")
-    run(sys.executable, "-m", "ruff", "check", "--no-cache", "python", "tests/python", "bench/python_bench.py")
-    run(sys.executable, "-m", "ruff", "format", "--no-cache", "--check", "python", "tests/python", "bench/python_bench.py")
+    assert make_python_tables.FILES[name]() == (make_python_tables.PACKAGE / name).read_text(encoding="utf-8")
 
 
 @pytest.mark.parametrize("readme", READMES, ids=lambda path: path.name)

@@ -6,7 +6,7 @@ import numpy as np
 import pendula
 import pytest
 from doubles import same_bits
-from pendula import measure
+from pendula import _core, measure
 
 DRIVEN = {"beta": 0.5, "drive_frequency": 2 / 3}
 AMPLITUDES = np.array([[0.9, 1.07, 1.15], [1.35, 1.45, 1.5]])
@@ -73,10 +73,13 @@ def test_labels_are_of_each_pendulum_by_itself():
         ({"periods": 2.5}, "periods must be a whole number from 1 to 2^53, got 2.5"),
         ({"transient": -1}, "transient must be a whole number from 0 to 2^53, got -1"),
         ({"steps_per_period": 2}, "steps_per_period must be at least "),
-        ({"method": "exact"}, "method must be one of rk4, taylor, got 'exact'"),
-        ({"threads": -1}, "threads must be at least 1, got -1"),
+        ({"method": "exact"}, "method must be one of rk4, taylor"),
+        ({"threads": -1}, "threads must be a whole number from 1 to 256, got -1"),
         ({"alpha": [1.0, 0.0]}, r"alpha must be positive and finite, got 0 at index (1,)"),
-        ({"drive_amplitude": 1.0}, "drive_frequency must be positive and finite, got 0"),
+        (
+            {"drive_amplitude": 1.0},
+            "a drive or a shaken pivot needs a frequency: drive_frequency must be positive and finite, got 0",
+        ),
     ],
 )
 def test_what_cannot_be_measured_is_said(given, message):
@@ -84,14 +87,39 @@ def test_what_cannot_be_measured_is_said(given, message):
         measure.section(0.2, 0.0, **{"periods": 4} | given)
 
 
-def test_a_name_that_is_no_parameter_is_told_with_those_that_are():
-    with pytest.raises(TypeError, match=r"^'gamma' is no parameter of a pendulum; they are theta0, omega0, alpha"):
-        measure.section(0.2, 0.0, periods=1, gamma=1.0)
+def test_each_pendulum_is_checked_as_if_it_stood_alone():
+    frequencies = np.linspace(0, 1, 1001)  # the strobe's period is 6283 units of time at the second, 6.3 at the first and last
+    with pytest.raises(ValueError, match=r"^pendulum at index \(1,\): steps_per_period must be at least 2229, .*method taylor"):
+        measure.mean_velocity(1.0, 0.0, drive_frequency=frequencies, transient=2, periods=5)
+
+
+@pytest.mark.parametrize("name", ["transient", "periods", "steps_per_period", "tolerance"])
+def test_a_setting_that_is_no_number_is_a_type_error(name):
+    with pytest.raises(TypeError, match=f"^{name} must be a real number, got <U1 '3'$"):
+        measure.section(0.2, 0.0, **{name: "3"})
+
+
+def test_a_history_has_no_more_rows_than_periods():
+    with pytest.raises(ValueError, match=r"^rows must be a whole number from 0 to 2, got 6$"):
+        measure.lyapunov(0.2, 0.0, periods=2, rows=6)
+    history = measure.lyapunov(0.2, 0.0, drive_amplitude=1.5, **DRIVEN, **SHORT, rows=8).history
+    assert np.unique(history).size == 8
+
+
+def test_results_have_the_columns_of_the_core():
+    for info in _core.measures:
+        if len(info.columns) > 1:
+            result = getattr(measure, info.name)(0.2, 0.0, **SHORT)
+            assert result._fields == tuple(column.name for column in info.columns)
 
 
 def test_a_driven_pendulum_has_no_closed_form():
     solution = pendula.solve(0.2, 0.0, drive_amplitude=1.0, **DRIVEN, dt=0.1, every=1, until=2)
     assert solution.analysis is None
     for name in ("sine", "error"):
-        with pytest.raises(ValueError, match=f"^{name} needs beta, torque and drive_amplitude to be 0"):
+        with pytest.raises(ValueError, match=f"^{name} needs pendulums without friction and forcing"):
             getattr(solution, name)
+
+
+def test_no_pendulums_have_no_results_at_once():
+    assert pendula.measure.section(np.zeros(0), 0.0, transient=0, periods=2**50, steps_per_period=3).theta.size == 0

@@ -42,6 +42,27 @@ def test_a_problem_from_options_becomes_a_picture(plot, tmp_path):
     assert picture.stat().st_size > 10000
 
 
+@pytest.mark.parametrize("method", ["rk4", "euler", "verlet", "taylor", "exact"])
+def test_a_solution_by_any_method_becomes_a_picture(plot, tmp_path, method):
+    picture = tmp_path / "picture.png"
+    done = plot("--theta0", "1", "--every-factor", "0.1", "--method", method, "--output", picture)
+    assert (done.returncode, done.stderr) == (0, "")
+    assert picture.read_bytes().startswith(MAGIC[".png"])
+
+
+def test_the_file_of_the_problems_is_never_the_picture(tmp_path):
+    problems = tmp_path / "problems.png"
+    problems.write_text(PROBLEM)
+    (tmp_path / "link.png").symlink_to(problems)
+    for name in (problems, tmp_path / "link.png"):
+        with problems.open() as opened:
+            command = [PROGRAM, "plot", "--output", name]
+            done = subprocess.run(command, stdin=opened, capture_output=True, text=True, env=CLEAN, timeout=300)
+        assert done.returncode == 2
+        assert "standard input" in done.stderr
+        assert problems.read_text() == PROBLEM
+
+
 def test_an_animation_becomes_a_film(plot, tmp_path):
     film = tmp_path / "film.gif"
     assert plot("--theta0", "1", "--every-factor", "0.2", "--animate", "--dpi", "20", "--output", film).returncode == 0
@@ -62,6 +83,11 @@ def test_an_animation_becomes_a_film(plot, tmp_path):
         (["--output", "/nowhere/a.png"], PROBLEM, 3, "/nowhere/a.png"),
         ([], PROBLEM, 2, "--output"),
         (["--nonsense", "--output", "a.png"], PROBLEM, 2, "--nonsense"),
+        (["--output", "a.png"], "", 1, "no problem"),
+        (["--output", "a.png", "plot"], PROBLEM, 2, '"plot"'),  # a word is no command of the program
+        (["--output", "a.png", "--format", "csv"], PROBLEM, 2, "--format"),
+        (["--output", "a.png", "--dpi", "1e5"], PROBLEM, 2, "1e+06 pixels"),
+        (["--output", "a.gif", "--animate", "--speed", "1e-300"], PROBLEM, 2, "longer than a minute"),
     ],
 )
 def test_what_cannot_be_drawn_has_its_status_and_a_reason(plot, arguments, text, status, words):
@@ -69,6 +95,23 @@ def test_what_cannot_be_drawn_has_its_status_and_a_reason(plot, arguments, text,
     assert (done.returncode, done.stdout) == (status, "")
     assert words in done.stderr
     assert "Traceback" not in done.stderr
+
+
+@pytest.mark.parametrize("suffix", [".png", ".svg", ".pdf", ".gif"])
+def test_a_full_disk_has_status_3(plot, tmp_path, suffix):
+    full = tmp_path / f"full{suffix}"
+    full.symlink_to("/dev/full")
+    done = plot("--output", full, "--dpi", "20", *(["--animate"] if suffix == ".gif" else []), text=PROBLEM)
+    assert (done.returncode, done.stdout) == (3, "")
+    assert done.stderr == f"pendula plot: '{full}' could not be written: No space left on device\n"
+
+
+def test_without_matplotlib_it_says_what_to_install():
+    code = "import sys; sys.modules['matplotlib'] = None; from pendula.plot._main import main; sys.exit(main())"
+    command = [sys.executable, "-c", code, "--output", "a.png", "--lang", "es"]
+    done = subprocess.run(command, capture_output=True, text=True, env=CLEAN)
+    assert (done.returncode, done.stdout) == (2, "")
+    assert done.stderr == "pendula plot: falta matplotlib; instálalo con: pip install 'pendula[plot]'\n"
 
 
 def test_it_speaks_spanish(plot):

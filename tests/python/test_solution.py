@@ -47,6 +47,7 @@ def test_pendulums_with_times_of_their_own_have_rows():
 def test_everything_has_units_and_a_run_can_be_repeated_from_its_attributes():
     data = pendula.solve([0.1, 0.2], 0.5, alpha=2.0, **TIMES).to_xarray()
     units = {name: data[name].attrs["units"] for name in data.variables}
+    assert {data[name].attrs["long_name"] for name in ("t", "theta0")} == {"time", "initial angle"}
     assert units == {"theta": "rad", "omega": "rad/s", "turns": "1", "t": "s", "theta0": "rad"}
     assert data.attrs["pendula_version"] == pendula.__version__
     parameters = {name: data.attrs[name] for name in pendula.Parameters._fields if name in data.attrs}

@@ -2,67 +2,76 @@
 
 from __future__ import annotations
 
-import argparse
-import sys
 from itertools import zip_longest
 
-from pendula import _program
-from pendula._language import LANGUAGES, language
-from pendula.check._asked import asked
+from pendula._command import BAD_DATA, BAD_USAGE, TEXTS, Command, Option, RefusedError, Text, run, say, solve, write
 from pendula.check._judge import judge
-from pendula.check._reading import UnreadableError, opened, read_file
-from pendula.check._report import UNREADABLE, Mark, Marks, as_json, as_text, unreadable_as_json
-from pendula.check._texts import OPTIONS
-from pendula.check._texts import UNREADABLE as REASONS
+from pendula.check._problem import asked
+from pendula.check._report import Mark, Marks, as_json, as_text, unreadable_as_json
+from pendula.check._table import UNREADABLE, UnreadableError, opened, read_file
 
-INTERRUPTED = 130
+CHECK = Command(
+    "pendula check",
+    "TABLE --input PROBLEM [--json] [--strict]",
+    (
+        "Marks a table that a student's program has printed: compares it with the closed form and with Runge-Kutta, and tells "
+        "what mistake explains it. Status: 0 right, 1 wrong, 2 unreadable.",
+        "Corrige la tabla que ha escrito el programa de un estudiante: la compara con la solución exacta y con Runge-Kutta, y "
+        "dice qué error la explica. Estado: 0 bien, 1 mal, 2 ilegible.",
+    ),
+    (
+        Option("TABLE", ("file with the tables; - for standard input", "fichero con las tablas; - es la entrada estándar")),
+        Option(
+            "--input",
+            (
+                "file with the problem or problems, as pendula reads them",
+                "fichero con el problema o los problemas, como los lee pendula",
+            ),
+            "PROBLEM",
+        ),
+        Option("--json", ("a report for machines", "un informe para máquinas")),
+        Option("--strict", ("remarks make a table wrong, too", "también las notas hacen que una tabla esté mal")),
+    ),
+)
+
+MISSING: Text = ("{0} is missing; see pendula check --help", "falta {0}; consulta pendula check --help")
+ONE_FILE: Text = ("one file is marked at a time; {0!r} is one more", "se corrige un fichero cada vez; sobra {0!r}")
 
 
 def main() -> int:
     """The console script."""
-    place = LANGUAGES.index(language(sys.argv[1:]))
-    options = _parser(place).parse_args()
+    return run(CHECK, _check)
+
+
+def _check(given: dict[str, str], words: list[str], lang: str) -> int:
+    for word in words:
+        if word.startswith("-") and word != "-":
+            raise RefusedError(BAD_USAGE, TEXTS["unknown option"], word, CHECK.name)
+    if not words or "--input" not in given:
+        raise RefusedError(BAD_USAGE, MISSING, "--input" if words else "TABLE")
+    if len(words) > 1:
+        raise RefusedError(BAD_USAGE, ONE_FILE, words[1])
     try:
-        marks = _marks(options.table, options.input, options.strict)
+        marks = _marks(words[0], given["--input"], "--strict" in given, lang)
     except UnreadableError as unreadable:
-        text = REASONS[unreadable.name][place].format(*unreadable.values)
-    except _program.FailedError:  # it has said why
-        text = REASONS["no problems"][place].format(options.input)
-    except FileNotFoundError as missing:  # the program
-        text = str(missing)
-    except KeyboardInterrupt:
-        return INTERRUPTED
-    else:
-        print((as_json if options.json else as_text)(marks, LANGUAGES[place]))
-        return marks.status
-    if options.json:
-        print(unreadable_as_json(text))
-    print(f"pendula check: {text}", file=sys.stderr)
-    return UNREADABLE
+        if "--json" in given:
+            write(unreadable_as_json(say(UNREADABLE[unreadable.name], lang, *unreadable.values)))
+        raise
+    write((as_json if "--json" in given else as_text)(marks, lang))
+    return marks.status
 
 
-def _marks(path: str, problems: str, strict: bool) -> Marks:
+def _marks(path: str, problems: str, strict: bool, lang: str) -> Marks:
     found = read_file(path)
     with opened(problems) as file:
-        solved = _program.solve([], file)
-    if not solved:
-        raise UnreadableError("no problems", problems)
+        try:
+            solved = solve(["--lang", lang], file)
+        except RefusedError as refused:
+            if refused.status != BAD_DATA:  # nothing that the problems are to blame for
+                raise
+            raise UnreadableError("no problems", problems) from None  # the program has said why
     marks = []
     for each, table in zip_longest(solved, found[: len(solved)]):
         problem = asked(each)
         marks.append(Mark(problem, table, judge(problem, table) if table else None))
     return Marks(marks, len(found), strict)
-
-
-def _parser(place: int) -> argparse.ArgumentParser:
-    def text(name: str) -> str:
-        return OPTIONS[name][place]
-
-    parser = argparse.ArgumentParser("pendula check", description=text("about"), allow_abbrev=False, add_help=False)
-    parser.add_argument("table", metavar="SALIDA", help=text("table"))
-    parser.add_argument("--input", required=True, metavar="PROBLEM", help=text("input"))
-    parser.add_argument("--json", action="store_true", help=text("json"))
-    parser.add_argument("--strict", action="store_true", help=text("strict"))
-    parser.add_argument("--lang", choices=LANGUAGES, help=text("lang"))
-    parser.add_argument("--help", action="help", help=text("help"))
-    return parser

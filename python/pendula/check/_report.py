@@ -3,21 +3,37 @@
 from __future__ import annotations
 
 import json
-from typing import TYPE_CHECKING, Any, NamedTuple
+import math
+from typing import TYPE_CHECKING, NamedTuple, TypeAlias
 
-from pendula._language import LANGUAGES
-from pendula.check._columns import ROLES, WORDS
-from pendula.check._findings import REMARK, Finding, error
-from pendula.check._texts import FINDINGS, REGIMES, REPORT
+from pendula._command import BAD_DATA, BAD_USAGE, DONE, say
+from pendula.check._findings import REMARK, Finding, Value, error, message
+from pendula.check._table import ROLES, WORDS
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Mapping, Sequence
 
-    from pendula.check._asked import Asked
+    from pendula._command import Text
     from pendula.check._judge import Judgement
-    from pendula.check._reading import Table
+    from pendula.check._problem import Asked
+    from pendula.check._table import Table
 
-RIGHT, WRONG, UNREADABLE = 0, 1, 2
+Json: TypeAlias = "Mapping[str, Json] | Sequence[Json] | float | str | None"
+
+REPORT: dict[str, Text] = {
+    "table": ("Table {0}", "Tabla {0}"),
+    "right": ("right", "bien"),
+    "wrong": ("wrong", "mal"),
+    "rows": ("{0} rows of {1}", "{0} filas de {1}"),
+    "column": (
+        "{0}: {1} of {2} rows right; at most {3:.1e} from the closed form, {4:.1e} from Runge-Kutta",
+        "{0}: {1} de {2} filas bien; como mucho a {3:.1e} de la solución exacta y a {4:.1e} de Runge-Kutta",
+    ),
+    "sine": ("{0}: {1} of {2} rows right", "{0}: {1} de {2} filas bien"),
+    "remark": ("remark: ", "nota: "),
+    "summary": ("{0} of {1} tables right.", "{0} de {1} tablas bien."),
+    "too many tables": ("There are {0} tables for {1} problems.", "Hay {0} tablas para {1} problemas."),
+}
 
 
 class Mark(NamedTuple):
@@ -47,71 +63,74 @@ class Marks(NamedTuple):
 
     @property
     def status(self) -> int:
-        """The program's."""
-        return RIGHT if self.tables <= len(self.marks) and all(map(self.is_right, self.marks)) else WRONG
-
-
-def message(finding: Finding, lang: str) -> str:
-    """A finding in words."""
-    place = LANGUAGES.index(lang)
-    values = dict(finding.values)
-    if "k" in values:
-        values["regime"] = REGIMES[values["k"]][place]
-    return FINDINGS[finding.name][place].format(**values)
+        """The program's: done where all is right, else bad data."""
+        return DONE if self.tables <= len(self.marks) and all(map(self.is_right, self.marks)) else BAD_DATA
 
 
 def as_text(marks: Marks, lang: str) -> str:
     """A paragraph for each problem, and a summary."""
 
-    def say(name: str, *values: object) -> str:
-        return REPORT[name][LANGUAGES.index(lang)].format(*values)
+    def line(name: str, *values: object) -> str:
+        return say(REPORT[name], lang, *values)
 
     lines = []
     for number, mark in enumerate(marks.marks, start=1):
-        lines.append(f"{say('table', number)}: {say('right' if marks.is_right(mark) else 'wrong')}")
+        lines.append(f"{line('table', number)}: {line('right' if marks.is_right(mark) else 'wrong')}")
         if mark.table is not None and mark.judgement is not None:
             rows = len(mark.table.values)
-            lines.append("  " + say("rows", rows, mark.problem.rows))
+            lines.append("  " + line("rows", rows, mark.problem.rows))
             for role, off in mark.judgement.deviations.items():
-                word = WORDS[ROLES.index(role)]
-                lines.append(
-                    "  " + say("sine" if role == "sine" else "column", word, off.right, rows, off.from_exact, off.from_rk4)
-                )
+                name, word = "sine" if role == "sine" else "column", WORDS[ROLES.index(role)]
+                lines.append("  " + line(name, word, off.right, rows, off.from_exact, off.from_rk4))
         for finding in marks.findings(mark):
-            lead = say("remark") if finding.severity == REMARK else ""
+            lead = line("remark") if finding.severity == REMARK else ""
             lines.append(f"  - {lead}{message(finding, lang)}")
     if marks.tables > len(marks.marks):
-        lines.append(say("too many tables", marks.tables, len(marks.marks)))
-    lines.append(say("summary", sum(map(marks.is_right, marks.marks)), len(marks.marks)))
-    return "\n".join(lines)
+        lines.append(line("too many tables", marks.tables, len(marks.marks)))
+    lines.append(line("summary", sum(map(marks.is_right, marks.marks)), len(marks.marks)))
+    return "\n".join(lines) + "\n"
 
 
 def as_json(marks: Marks, lang: str) -> str:
     """One object; names of findings stay as they are, whatever the language of the messages."""
+    status = marks.status
     report = {
-        "verdict": "right" if marks.status == RIGHT else "wrong",
-        "status": marks.status,
+        "verdict": "right" if status == DONE else "wrong",
+        "status": status,
         "right": sum(map(marks.is_right, marks.marks)),
         "problems": len(marks.marks),
         "tables": marks.tables,
         "marks": [_mark(marks, number, mark, lang) for number, mark in enumerate(marks.marks, start=1)],
     }
-    return json.dumps(report, ensure_ascii=False, indent=2)
+    return _dumped(report)
 
 
 def unreadable_as_json(text: str) -> str:
     """The report on what is no table."""
-    return json.dumps({"verdict": "unreadable", "status": UNREADABLE, "message": text}, ensure_ascii=False, indent=2)
+    return _dumped({"verdict": "unreadable", "status": BAD_USAGE, "message": text})
 
 
-def _mark(marks: Marks, number: int, mark: Mark, lang: str) -> dict[str, Any]:
+def _dumped(report: Json) -> str:
+    return json.dumps(report, ensure_ascii=False, indent=2, allow_nan=False) + "\n"
+
+
+def _finite(value: Value) -> Value | None:
+    """JSON has no word for a number that is not finite."""
+    return value if isinstance(value, str) or math.isfinite(value) else None
+
+
+def _mark(marks: Marks, number: int, mark: Mark, lang: str) -> Json:
     deviations = mark.judgement.deviations if mark.judgement else {}
     return {
         "problem": number,
         "verdict": "right" if marks.is_right(mark) else "wrong",
         "rows": {"expected": mark.problem.rows, "found": len(mark.table.values) if mark.table else 0},
         "columns": {
-            role: {"right": off.right, "largest_from_exact": off.from_exact, "largest_from_rk4": off.from_rk4}
+            role: {
+                "right": off.right,
+                "largest_from_exact": _finite(off.from_exact),
+                "largest_from_rk4": _finite(off.from_rk4),
+            }
             for role, off in deviations.items()
         },
         "findings": [
@@ -119,7 +138,7 @@ def _mark(marks: Marks, number: int, mark: Mark, lang: str) -> dict[str, Any]:
                 "name": finding.name.replace(" ", "_"),
                 "severity": finding.severity,
                 "message": message(finding, lang),
-                "values": finding.values,
+                "values": {name: _finite(value) for name, value in finding.values.items()},
             }
             for finding in marks.findings(mark)
         ],

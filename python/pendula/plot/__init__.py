@@ -3,9 +3,9 @@
 They need matplotlib, the extra `plot`, which is imported only when something is drawn.
 """
 
-from pendula.plot._animation import animate
-from pendula.plot._portrait import phase_portrait
-from pendula.plot._series import time_series
-from pendula.plot._sweeps import bifurcation, map, section  # noqa: A004, as its name there
+from pendula.plot._figures import animate, phase_portrait, time_series
+from pendula.plot._sweeps import bifurcation, section
+from pendula.plot._sweeps import map as map  # noqa: A004, it is called as pendula.plot.map
 
-__all__ = ["animate", "bifurcation", "map", "phase_portrait", "section", "time_series"]
+# Without `map`, so that `from pendula.plot import *` leaves Python's own in place.
+__all__ = ["animate", "bifurcation", "phase_portrait", "section", "time_series"]

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pendula.plot._axes import BLUE, COLORS, LABELS, angle_axis, axes, label
+from pendula.plot._style import BLUE, COLORS, LABELS, angle_axis, axes, label
 
 if TYPE_CHECKING:
     import numpy.typing as npt
@@ -31,7 +31,7 @@ def bifurcation(
     names: tuple[str | None, str | None] = (None, None),
     **points: Any,
 ) -> Axes:
-    """Values [..., point] that belong to each of the parameter's [...], as dots: where a pendulum is found, period by period.
+    """Values [..., point] that belong to each of the parameter's [...], as dots: where a pendulum is at each strobe.
 
     names: of the parameter and the values, as `solve` and `section` have them, for the labels; xarray's know their own.
     points: passed on to matplotlib's `plot`.
@@ -47,7 +47,7 @@ def bifurcation(
     return ax
 
 
-def map(  # noqa: A001, its name among the figures, and nobody imports it alone
+def map(  # noqa: A001, it is called as pendula.plot.map
     x: npt.ArrayLike,
     y: npt.ArrayLike,
     values: npt.ArrayLike,
@@ -56,17 +56,17 @@ def map(  # noqa: A001, its name among the figures, and nobody imports it alone
     names: tuple[str | None, str | None, str | None] = (None, None, None),
     **mesh: Any,
 ) -> Axes:
-    """Values [y, x] over two parameters as colours, with their scale; whole numbers, as labels of attractors, as classes.
+    """Values [y, x] over two parameters as colours, with their scale; whole numbers, such as labels of attractors, as classes.
 
-    Colours of values of both signs part at 0. names: of x, y and the values, as in `bifurcation`. mesh: passed on to
-    matplotlib's `pcolormesh`.
+    Where values have both signs, 0 lies in the middle of the scale. names: of x, y and the values, as in `bifurcation`.
+    mesh: passed on to matplotlib's `pcolormesh`.
     """
     ax = axes(ax)
     grid = np.asarray(values)
     shape = (np.size(y), np.size(x))
     if grid.shape != shape:
         raise ValueError(f"values must have the shape [y, x], here {shape}, got {grid.shape}")
-    is_class = np.issubdtype(grid.dtype, np.integer)
+    is_class = np.issubdtype(grid.dtype, np.integer)  # as labels of attractors
     style = _classes(grid) if is_class else _scale(grid)
     image = ax.pcolormesh(np.ravel(x), np.ravel(y), grid, rasterized=True, **style | mesh)
     bar = ax.figure.colorbar(image, ax=ax, label=label(names[2], values))
@@ -79,14 +79,14 @@ def map(  # noqa: A001, its name among the figures, and nobody imports it alone
 
 
 def _dots(ax: Axes, x: npt.ArrayLike, y: npt.ArrayLike, points: dict[str, Any]) -> None:
-    """Dots that grow smaller as they grow more; as pixels, because a million of them as vectors can hardly be opened."""
+    """Dots, smaller where there are more; as pixels also in vector formats, where a million dots are too many to open."""
     size = float(np.clip(60 / np.sqrt(np.size(y) + 1), 0.4, 4))
     style: dict[str, Any] = {"color": BLUE, "marker": "o", "markersize": size, "markeredgewidth": 0, "linestyle": "none"}
     ax.plot(np.ravel(x), np.ravel(y), rasterized=True, **style | points)
 
 
-def _scale(grid: Any) -> dict[str, Any]:
-    """Maps that keep their order in grey and to colour-blind readers."""
+def _scale(grid: npt.NDArray[Any]) -> dict[str, Any]:
+    """Colours whose order can be seen in grey and by colour-blind readers."""
     finite = grid[np.isfinite(grid)]
     if finite.size == 0 or finite.min() >= 0 or finite.max() <= 0:
         return {"cmap": "cividis"}
@@ -94,8 +94,8 @@ def _scale(grid: Any) -> dict[str, Any]:
     return {"cmap": "PuOr_r", "vmin": -largest, "vmax": largest}
 
 
-def _classes(grid: Any) -> dict[str, Any]:
-    """A colour a whole number; 0, for none, is white."""
+def _classes(grid: npt.NDArray[Any]) -> dict[str, Any]:
+    """A colour for each whole number; 0, which stands for none, is white."""
     from matplotlib.colors import BoundaryNorm, ListedColormap
 
     first, last = int(grid.min(initial=0)), int(grid.max(initial=0))

@@ -42,7 +42,7 @@ def solve(
     method: rk4, euler; verlet (no friction); taylor, to `tolerance` in (0, 1); exact, the closed form (no friction or forcing).
     threads: at most so many, from 1 to 256; as many as there are processors where left out.
 
-    Returns a `Solution`: arrays [..., time]. rk4, euler and verlet converge at orders 4, 1 and 2 (tests/cpp/steps_test.cpp);
+    Returns a `Solution`: arrays [..., time]. rk4, euler and verlet converge at orders 4, 1 and 2 (tests/cpp/methods_test.cpp);
     taylor at 1e-15 is within 1e-12 rad up to t = 50 where the motion is chaotic, 1e-13 elsewhere (tests/cpp/taylor_test.cpp).
 
     ValueError with the index for a value outside its interval, for what a method cannot do, and for steps so long that friction

@@ -88,8 +88,8 @@ void start_output(Run& run) {
     auto names = swept_names(run.sweep);
     for (std::size_t i = 0; i < run.info.columns.size(); ++i) {
         const ResultColumn& column = run.info.columns[i];
-        if (!column.header) continue;
-        names.push_back(column.header);
+        if (column.is_detail) continue;
+        names.push_back(column.header ? column.header : column.name);
         run.printed.push_back(i);
         run.has_points |= column.rows == ResultColumn::Rows::periods;
     }

@@ -17,7 +17,7 @@ namespace {
 constexpr int most_attractors = 256;  // for one set of parameters
 
 /// The columns of the results, in the order of `attractors_columns`.
-enum { label_column, period_column, rotation_column, theta_column, omega_column };
+enum { label_column, kind_column, period_column, rotation_column, theta_column, omega_column };
 
 bool precedes(State a, State b) noexcept { return a.theta < b.theta || (a.theta == b.theta && a.omega < b.omega); }
 

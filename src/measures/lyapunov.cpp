@@ -44,7 +44,7 @@ struct LyapunovObserver {
     bool at_strobe(const StrobedMembers& m, double done) noexcept {
         const double rows = call.strobe.history_rows;
         for (; static_cast<double>(row) < rows && end_of(static_cast<double>(row), rows) <= done; ++row)
-            for (int i = 0; i < m.chunk.count; ++i) call.result(3, row, m.number[i]) = m.growth[i] / done / m.period[i];
+            for (int i = 0; i < m.chunk.count; ++i) call.result(9, row, m.number[i]) = m.growth[i] / done / m.period[i];
         if (done >= end_of(block, blocks)) {
             for (int i = 0; i < m.chunk.count; ++i) until[block][i] = m.growth[i];
             ++block;
@@ -79,8 +79,8 @@ struct LyapunovObserver {
             if (m.chunk.is_resting[i] && p.pivot_amplitude == 0) {
                 const double exponent = exponent_on_top(p);
                 put(member, exponent, 0);
-                for (std::size_t j = 0; j < rows_of(lyapunov_columns[3], call.strobe); ++j)
-                    call.result(3, j, member) = exponent;
+                for (std::size_t j = 0; j < rows_of(lyapunov_columns[9], call.strobe); ++j)
+                    call.result(9, j, member) = exponent;
                 continue;
             }
             const double mean = m.growth[i] / call.strobe.periods;

@@ -22,6 +22,7 @@ struct SectionObserver {
             call.result(0, row, m.number[i]) = m.chunk.motion.theta[i];
             call.result(1, row, m.number[i]) = m.chunk.motion.omega[i];
             call.result(2, row, m.number[i]) = m.chunk.motion.turns[i];
+            call.result(3, row, m.number[i]) = __builtin_nan("");
         }
         return done + 1 < call.strobe.periods;
     }
@@ -46,6 +47,10 @@ struct MeanVelocityObserver {
         for (int i = 0; i < m.chunk.count; ++i) {
             const double turned = (last.turns[i] - first.turns[i]) + (last.theta[i] - first.theta[i]) / (2 * pi);
             call.result(0, 0, m.number[i]) = turned / call.strobe.periods * m.frequency[i];
+            call.result(1, 0, m.number[i]) = __builtin_nan("");
+            call.result(2, 0, m.number[i]) = 0;
+            call.result(3, 0, m.number[i]) = last.theta[i];
+            call.result(4, 0, m.number[i]) = last.omega[i];
         }
     }
 };
@@ -56,6 +61,10 @@ Refusal check(const Strobe& strobe) noexcept {
     if (const auto refusal = check_count("transient", strobe.transient, 0)) return refusal;
     if (const auto refusal = check_count("periods", strobe.periods, 1)) return refusal;
     if (const auto refusal = check_count("steps_per_period", strobe.steps_per_period, 1)) return refusal;
+    if (const auto refusal = check_count("budget", strobe.budget, 1)) return refusal;
+    if (const auto refusal = check_rule("strobe_phase", strobe.phase, Rule::finite)) return refusal;
+    if (const auto refusal = check_rule("level", strobe.level, Rule::finite)) return refusal;
+    if (const auto refusal = check_count("orbit_period", strobe.orbit_period, 1)) return refusal;
     if (const auto refusal = check_count("history_rows", strobe.history_rows, 0, strobe.periods)) return refusal;
     if (const auto refusal = check_rule("tolerance", strobe.tolerance, Rule::fraction)) return refusal;
     return check_rule("match", strobe.match, Rule::positive);
@@ -100,9 +109,10 @@ std::size_t rows_of(const ResultColumn& column, const Strobe& strobe) noexcept {
 
 Outcome measure(Measure what, const Ensemble& ensemble, const Strobe& strobe, const Results& results,
                 const Control& control) noexcept {
-    if (!(what >= Measure::section && what <= Measure::attractors))
-        return Refusal{
-            .reason = Refusal::Reason::not_among, .name = "measure", .legal = "section, mean_velocity, lyapunov, attractors"};
+    if (!(what >= Measure::section && what <= Measure::orbit))
+        return Refusal{.reason = Refusal::Reason::not_among,
+                       .name = "measure",
+                       .legal = "section, mean_velocity, lyapunov, attractors, orbit"};
     const MeasureCall call{ensemble, strobe, results.columns()};
     if (const auto refusal = check(strobe)) return refusal;
     if (const auto refusal = check_call(ensemble, control)) return refusal;
@@ -118,6 +128,8 @@ Outcome measure(Measure what, const Ensemble& ensemble, const Strobe& strobe, co
             return measure_lyapunov(call, control);
         case Measure::attractors:
             return measure_attractors(call, control);
+        case Measure::orbit:
+            return {};
     }
     return {};
 }

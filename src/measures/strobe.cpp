@@ -117,13 +117,13 @@ bool integrate_to_first_strobe(StrobedMembers& m, const Propagation& run) noexce
     Row length;
     bool moves = false;
     for (int i = 0; i < chunk_size; ++i) {
-        const double phase = wrap(-m.chunk.parameters.drive_phase[i]);
+        const double phase = wrap(run.strobe.phase - m.chunk.parameters.drive_phase[i]);
         length[i] = (phase < 0 ? phase + two_pi : phase) / m.frequency[i];
         moves = moves || length[i] > 0;
     }
     if (!moves) return true;
     if (!integrate(m, length, {run.strobe, run.thread, false})) return false;
-    for (double& phase : m.chunk.parameters.drive_phase) phase = 0;
+    for (double& phase : m.chunk.parameters.drive_phase) phase = run.strobe.phase;
     return true;
 }
 

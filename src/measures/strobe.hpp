@@ -42,6 +42,9 @@ struct MeasureCall {
     }
 };
 
+/// Why a call of `measure` is refused, or no refusal.
+Refusal check(Measure what, const MeasureCall& call, const Control& control) noexcept;
+
 /// Runs one observer for every chunk of members, on several threads. An observer is constructed from the call and has
 ///     static constexpr bool has_tangent             whether displacements are integrated
 ///     bool start(StrobedMembers&)                   called after the transient

@@ -111,7 +111,16 @@ struct Lines {
     }
 };
 
-Refusal check_lines(Measure what, const MeasureCall& call, std::size_t line) noexcept {
+}  // namespace
+
+void continue_from(State end, const Strobe& strobe, Pendulum& pendulum, State& initial) noexcept {
+    if (!satisfies(Rule::finite, end.theta) || !satisfies(Rule::finite, end.omega)) return;
+    initial = {end.omega == 0 ? end.theta + 0x1p-26 : end.theta, end.omega};
+    pendulum.drive_phase = strobe.phase;
+}
+
+Refusal check_carried(Measure what, const MeasureCall& call, std::size_t line, const Control& control) noexcept {
+    if (const auto refusal = check(what, call, control)) return refusal;
     if (const auto refusal = check_count("line", static_cast<double>(line), 1)) return refusal;
     const std::size_t size = call.ensemble.size, lines = (size + line - 1) / line;
     if (size % line != 0)
@@ -124,19 +133,10 @@ Refusal check_lines(Measure what, const MeasureCall& call, std::size_t line) noe
     return {};
 }
 
-}  // namespace
-
-void continue_from(State end, const Strobe& strobe, Pendulum& pendulum, State& initial) noexcept {
-    if (!satisfies(Rule::finite, end.theta) || !satisfies(Rule::finite, end.omega)) return;
-    initial = {end.omega == 0 ? end.theta + 0x1p-26 : end.theta, end.omega};
-    pendulum.drive_phase = strobe.phase;
-}
-
 Outcome measure_carried(Measure what, const Ensemble& ensemble, std::size_t line, Carry carry, const Strobe& strobe,
                         const Results& results, const Control& control) noexcept {
     const MeasureCall call{ensemble, strobe, results.columns()};
-    if (const auto refusal = check(what, call, control)) return refusal;
-    if (const auto refusal = check_lines(what, call, line)) return refusal;
+    if (const auto refusal = check_carried(what, call, line, control)) return refusal;
     const MeasureInfo& info = measures[static_cast<int>(what)];
     CarriedCall carried{call, info, line, carry};
     const std::size_t width = carried.width(), lines = carried.lines();

@@ -10,4 +10,7 @@ namespace pendula {
 /// at which it vanishes, since there its angle depends on the parameter by a square root.
 void continue_from(State end, const Strobe& strobe, Pendulum& pendulum, State& initial) noexcept;
 
+/// Why a call of `measure_carried` is refused, or no refusal.
+Refusal check_carried(Measure what, const MeasureCall& call, std::size_t line, const Control& control) noexcept;
+
 }  // namespace pendula

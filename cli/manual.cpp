@@ -175,6 +175,24 @@ std::string padded(std::string text, std::ptrdiff_t width) {
     return text.append(static_cast<std::size_t>(spaces), ' ');
 }
 
+/// The text with line ends before words beyond column 88; further lines are indented.
+std::string wrapped(const std::string& text, std::size_t indent) {
+    std::string lines;
+    std::ptrdiff_t column = 0;
+    for (std::size_t begin = 0; begin < text.size();) {
+        const auto end = std::min(text.find(' ', begin + 1), text.size());
+        const std::string word = text.substr(begin, end - begin);
+        if (column + width_of(word) > 88) {
+            lines += '\n' + std::string(indent - 1, ' ');
+            column = static_cast<std::ptrdiff_t>(indent) - 1;
+        }
+        lines += word;
+        column += width_of(word);
+        begin = end;
+    }
+    return lines + '\n';
+}
+
 /// "angular velocity, rad/s" of a meaning and a unit.
 std::string with_unit(const Words& meaning, std::string_view unit) {
     return say(meaning) + (unit == "1" ? "" : ", " + std::string(unit));
@@ -195,26 +213,9 @@ std::string usage_lines() {
     const std::string options = say({" [OPTIONS]", " [OPCIONES]"});
     const auto width = 28 + static_cast<std::ptrdiff_t>(options.size());
     for (const auto& info : measures)
-        lines += padded("  pendula " + hyphenated(info.name) + options, width) + say(info.meaning) + '\n';
+        lines += wrapped(padded("  pendula " + hyphenated(info.name) + options, width) + say(info.meaning),
+                         static_cast<std::size_t>(width));
     return lines;
-}
-
-/// The text with line ends before words beyond column 88; further lines are indented.
-std::string wrapped(const std::string& text, std::size_t indent) {
-    std::string lines;
-    std::ptrdiff_t column = 0;
-    for (std::size_t begin = 0; begin < text.size();) {
-        const auto end = std::min(text.find(' ', begin + 1), text.size());
-        const std::string word = text.substr(begin, end - begin);
-        if (column + width_of(word) > 88) {
-            lines += '\n' + std::string(indent - 1, ' ');
-            column = static_cast<std::ptrdiff_t>(indent) - 1;
-        }
-        lines += word;
-        column += width_of(word);
-        begin = end;
-    }
-    return lines + '\n';
 }
 
 /// What a line of each measure holds.

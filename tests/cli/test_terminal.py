@@ -106,7 +106,7 @@ def test_a_long_run_shows_how_far_it_is_and_leaves_no_trace(terminal):
 
 
 def test_a_long_sweep_shows_how_far_it_is_too(terminal):
-    one = terminal("mean-velocity", "--torque", "1", "--steps", "1e9", streams=("stderr",))
+    one = terminal("mean-velocity", "--torque", "1", "--method", "rk4", "--steps", "1e9", streams=("stderr",))
     one.read_until(r"\r\x1b\[Kpendula: 0 %")
     one.process.terminate()
     assert one.process.wait(timeout=10) == 130

@@ -17,19 +17,19 @@ constexpr double nan = __builtin_nan("");
 constexpr std::size_t attractor_columns = std::size(attractors_columns);
 
 /// What a motion has settled on.
-struct Fate {
+struct Settled {
     double value;  ///< of the swept parameter
     Kind kind;
     double period, rotation, error;
     State point;
 };
 
-bool has_orbit(const Fate& fate) noexcept {
-    return fate.kind == Kind::fixed_point || fate.kind == Kind::periodic || fate.kind == Kind::rotating;
+bool has_orbit(const Settled& on) noexcept {
+    return on.kind == Kind::fixed_point || on.kind == Kind::periodic || on.kind == Kind::rotating;
 }
 
-/// Whether two fates agree in what cannot change along a branch.
-bool agree(const Fate& a, const Fate& b) noexcept {
+/// Whether two motions agree in what cannot change along a branch.
+bool agree(const Settled& a, const Settled& b) noexcept {
     return a.kind == b.kind && (a.kind != Kind::periodic || (a.period == b.period && a.rotation == b.rotation));
 }
 
@@ -42,7 +42,8 @@ struct Cell {
         none,
     };
     std::size_t member;  ///< behind the jump
-    Fate near, far, last;
+    Settled near, far, last;
+    Settled behind;  ///< the nearest motion off the branch that has settled on something
     double first_distance = 0;
     int halvings = 0, returns = 0;
     bool near_has_moved = false;  ///< since the far end was measured
@@ -77,15 +78,15 @@ struct JumpSearch {
         return pendulum;
     }
 
-    Fate fate(std::size_t i, std::size_t size, double value) const noexcept {
+    Settled settled(std::size_t i, std::size_t size, double value) const noexcept {
         const auto column = [&](std::size_t c) { return outputs[c * size + i]; };
         return {value, static_cast<Kind>(column(1)), column(2), column(3), column(6), {column(4), column(5)}};
     }
 
     /// The smallest distance of a point of one orbit from the other. NaN if the call was stopped.
-    double gap(const Fate& a, const Fate& b, std::size_t member, Thread& thread) const noexcept {
+    double gap(const Settled& a, const Settled& b, std::size_t member, Thread& thread) const noexcept {
         const bool is_longer = a.kind == Kind::periodic && (b.kind != Kind::periodic || a.period > b.period);
-        const Fate &orbit = is_longer ? a : b, &other = is_longer ? b : a;
+        const Settled &orbit = is_longer ? a : b, &other = is_longer ? b : a;
         const Pendulum pendulum = pendulum_at(member, orbit.value);
         const double frequency = strobe_frequency(pendulum);
         const double period = orbit.kind == Kind::periodic ? orbit.period : 1;
@@ -112,20 +113,20 @@ struct JumpSearch {
         return true;
     }
 
-    /// How far apart two fates that agree are: their orbits, or else their rotations, as far as these are known.
-    double distance(const Fate& a, const Fate& b, std::size_t member, Thread& thread) const noexcept {
+    /// How far apart two motions that agree are: their orbits, or else their rotations, as far as these are known.
+    double distance(const Settled& a, const Settled& b, std::size_t member, Thread& thread) const noexcept {
         if (has_orbit(a)) return gap(a, b, member, thread);
         const double apart = abs(a.rotation - b.rotation) - (a.error + b.error);
         return apart > 0 ? apart : 0;
     }
 
-    bool is_on_branch(const Cell& cell, const Fate& trial, Thread& thread) const noexcept {
+    bool is_on_branch(const Cell& cell, const Settled& trial, Thread& thread) const noexcept {
         if (!agree(cell.near, trial)) return false;
         if (!agree(cell.near, cell.far)) return true;
         return distance(cell.near, trial, cell.member, thread) <= distance(trial, cell.far, cell.member, thread);
     }
 
-    /// Decides whether two fates that agree are the ends of one branch, as far as the halvings tell: its ends approach each
+    /// Decides whether two motions that agree are the ends of one branch, as far as the halvings tell: its ends approach each
     /// other at least as the square root of the length of the interval, a jump stays.
     bool is_one_branch(Cell& cell, Thread& thread) const noexcept {
         const double noise = has_orbit(cell.near) ? 16 * strobe.match : 0;
@@ -146,41 +147,50 @@ struct JumpSearch {
             cell.stage = Cell::Stage::halving;
     }
 
-    void halve(Cell& cell, const Fate& trial, Thread& thread) const noexcept {
+    void set_far(Cell& cell, const Settled& trial) const noexcept {
+        cell.far = trial;
+        if (trial.kind != Kind::unsettled) cell.behind = trial;
+    }
+
+    void halve(Cell& cell, const Settled& trial, Thread& thread) const noexcept {
         cell.near_has_moved = is_on_branch(cell, trial, thread);
-        (cell.near_has_moved ? cell.near : cell.far) = trial;
+        if (cell.near_has_moved)
+            cell.near = trial;
+        else
+            set_far(cell, trial);
         ++cell.halvings;
         proceed_with(cell, thread);
     }
 
     /// Ends the search if the far end is off the branch also from the present near end; else goes on behind it.
-    void check_far_end(Cell& cell, const Fate& trial, Thread& thread) const noexcept {
+    void check_far_end(Cell& cell, const Settled& trial, Thread& thread) const noexcept {
         constexpr int most_returns = 8;
         if (!is_on_branch(cell, trial, thread)) {
-            cell.far = trial;
+            set_far(cell, trial);
             cell.stage = Cell::Stage::found;
         } else if (cell.far.value == cell.last.value || ++cell.returns > most_returns) {
             cell.stage = Cell::Stage::none;
         } else {
             cell.near = trial;
-            cell.far = cell.last;
+            cell.far = cell.behind = cell.last;
             cell.near_has_moved = true;
             proceed_with(cell, thread);
         }
     }
 
-    void judge(Cell& cell, const Fate& trial, Thread& thread) const noexcept {
+    void judge(Cell& cell, const Settled& trial, Thread& thread) const noexcept {
         cell.stage == Cell::Stage::halving ? halve(cell, trial, thread) : check_far_end(cell, trial, thread);
         if (!cell.is_active()) put(cell, thread);
     }
 
     /// The interval before a member, from the results of the carried sweep.
     void begin(std::size_t member, Thread& thread) const noexcept {
-        const auto fate_of = [&](std::size_t i) { return fate(i, ensemble.size, (ensemble.*swept.column)[i]); };
+        const auto settled_of = [&](std::size_t i) { return settled(i, ensemble.size, (ensemble.*swept.column)[i]); };
         const bool is_first = member % line == (carry == Carry::up ? 0 : line - 1);
         const std::size_t neighbour = is_first ? member : carry == Carry::up ? member - 1 : member + 1;
         Cell& cell = cells[member];
-        cell = {.member = member, .near = fate_of(neighbour), .far = fate_of(member), .last = fate_of(member)};
+        cell = {.member = member, .near = settled_of(neighbour), .far = settled_of(member), .last = settled_of(member)};
+        cell.behind = cell.last;
         if (cell.near.kind == Kind::lost || cell.near.value == cell.far.value)
             cell.stage = Cell::Stage::none;
         else
@@ -191,12 +201,12 @@ struct JumpSearch {
     void put(const Cell& cell, Thread& thread) const noexcept {
         const bool is_found = cell.stage == Cell::Stage::found;
         const auto put_value = [&](std::size_t c, double x) { columns[c][cell.member] = is_found ? x : nan; };
-        const bool has_gap = is_found && has_orbit(cell.near) && has_orbit(cell.far);
+        const bool has_gap = is_found && has_orbit(cell.near) && has_orbit(cell.behind);
         put_value(0, cell.middle());
         put_value(1, cell.error());
-        put_value(2, has_gap ? gap(cell.near, cell.far, cell.member, thread) : nan);
+        put_value(2, has_gap ? gap(cell.near, cell.behind, cell.member, thread) : nan);
         put_value(3, static_cast<double>(cell.near.kind));
-        put_value(4, static_cast<double>(cell.far.kind));
+        put_value(4, static_cast<double>(cell.behind.kind));
     }
 
     /// Keeps the active cells only.
@@ -254,7 +264,7 @@ struct JumpSearch {
             outcome = measure(Measure::attractors, load_trials(), strobe, results_of(count), part_of(control, from, to));
             if (!outcome.is_done()) break;
             outcome = for_each_piece(count, 0, part_of(control, to, to), [&](Thread& thread, std::size_t i) {
-                judge(cells[i], fate(i, count, cells[i].trial()), thread);
+                judge(cells[i], settled(i, count, cells[i].trial()), thread);
             });
             from = to;
         }

@@ -1,9 +1,11 @@
+#include <algorithm>
 #include <memory>
 #include <new>
 
 #include "arithmetic/pack.hpp"
 #include "checks.hpp"
 #include "measures/carry.hpp"
+#include "measures/fate.hpp"
 #include "pendula/angle.hpp"
 #include "pendula/carry.hpp"
 
@@ -13,24 +15,31 @@ using arithmetic::abs;
 
 namespace {
 
-constexpr double nan = __builtin_nan("");
 constexpr std::size_t attractor_columns = std::size(attractors_columns);
 
 /// What a motion has settled on.
-struct Fate {
+struct Settled {
     double value;  ///< of the swept parameter
     Kind kind;
     double period, rotation, error;
     State point;
 };
 
-bool has_orbit(const Fate& fate) noexcept {
-    return fate.kind == Kind::fixed_point || fate.kind == Kind::periodic || fate.kind == Kind::rotating;
+bool has_orbit(const Settled& on) noexcept {
+    return on.kind == Kind::fixed_point || on.kind == Kind::periodic || on.kind == Kind::rotating;
 }
 
-/// Whether two fates agree in what cannot change along a branch.
-bool agree(const Fate& a, const Fate& b) noexcept {
-    return a.kind == b.kind && (a.kind != Kind::periodic || (a.period == b.period && a.rotation == b.rotation));
+/// Whether two motions agree in what cannot change along a branch. The rotation of a periodic orbit is a ratio of whole
+/// numbers, rounded.
+bool agree(const Settled& a, const Settled& b) noexcept {
+    constexpr double rounding = 0x1p-40;
+    return a.kind == b.kind && (a.kind != Kind::periodic || (a.period == b.period && abs(a.rotation - b.rotation) < rounding));
+}
+
+/// The distance of two states, in theta [rad] and omega/frequency.
+double apart(State a, State b, double frequency) noexcept {
+    const double x = abs(wrap(a.theta - b.theta)), y = abs(a.omega - b.omega) / frequency;
+    return x > y ? x : y;
 }
 
 /// The interval between two neighbours, while it is halved.
@@ -42,7 +51,8 @@ struct Cell {
         none,
     };
     std::size_t member;  ///< behind the jump
-    Fate near, far, last;
+    Settled near, far, last;
+    Settled behind;  ///< the nearest motion off the branch that agrees with the last one
     double first_distance = 0;
     int halvings = 0, returns = 0;
     bool near_has_moved = false;  ///< since the far end was measured
@@ -56,6 +66,14 @@ struct Cell {
         return error() <= tolerance || middle() == near.value || middle() == far.value;
     }
 };
+
+/// One pendulum.
+Ensemble ensemble_of(const Pendulum& pendulum, const State& initial) noexcept {
+    Ensemble alone{.size = 1, .theta = initial.theta, .omega = initial.omega};
+    for (const auto& parameter : parameters)
+        if (parameter.value) alone.*parameter.column = pendulum.*parameter.value;
+    return alone;
+}
 
 /// The arguments of one call, and room for the rounds.
 struct JumpSearch {
@@ -74,18 +92,19 @@ struct JumpSearch {
     Pendulum pendulum_at(std::size_t member, double value) const noexcept {
         Pendulum pendulum = pendulum_of(ensemble, member);
         pendulum.*swept.value = value;
+        pendulum.drive_phase = strobe.phase;
         return pendulum;
     }
 
-    Fate fate(std::size_t i, std::size_t size, double value) const noexcept {
+    Settled settled(std::size_t i, std::size_t size, double value) const noexcept {
         const auto column = [&](std::size_t c) { return outputs[c * size + i]; };
         return {value, static_cast<Kind>(column(1)), column(2), column(3), column(6), {column(4), column(5)}};
     }
 
     /// The smallest distance of a point of one orbit from the other. NaN if the call was stopped.
-    double gap(const Fate& a, const Fate& b, std::size_t member, Thread& thread) const noexcept {
+    double gap(const Settled& a, const Settled& b, std::size_t member, Thread& thread) const noexcept {
         const bool is_longer = a.kind == Kind::periodic && (b.kind != Kind::periodic || a.period > b.period);
-        const Fate &orbit = is_longer ? a : b, &other = is_longer ? b : a;
+        const Settled &orbit = is_longer ? a : b, &other = is_longer ? b : a;
         const Pendulum pendulum = pendulum_at(member, orbit.value);
         const double frequency = strobe_frequency(pendulum);
         const double period = orbit.kind == Kind::periodic ? orbit.period : 1;
@@ -93,118 +112,155 @@ struct JumpSearch {
         double least = __builtin_inf();
         for (double done = 0; done < period; ++done) {
             if (done > 0 && !advance_one_period(pendulum, point, thread)) return nan;
-            const double x = abs(wrap(point.theta - other.point.theta)), y = abs(point.omega - other.point.omega) / frequency;
-            const double distance = x > y ? x : y;
+            const double distance = apart(point, other.point, frequency);
             least = distance < least ? distance : least;
         }
         return least;
     }
 
     bool advance_one_period(const Pendulum& pendulum, State& point, Thread& thread) const noexcept {
-        Ensemble alone{.size = 1, .theta = point.theta, .omega = point.omega};
-        for (const auto& parameter : parameters)
-            if (parameter.value) alone.*parameter.column = pendulum.*parameter.value;
-        alone.drive_phase = strobe.phase;
         StrobedMembers m;
-        load_strobed(m, alone, 0);
+        load_strobed(m, ensemble_of(pendulum, point), 0);
         if (!integrate_to_next_strobe(m, {strobe, thread, false})) return false;
         point = {m.chunk.motion.theta[0], m.chunk.motion.omega[0]};
         return true;
     }
 
-    /// How far apart two fates that agree are: their orbits, or else their rotations, as far as these are known.
-    double distance(const Fate& a, const Fate& b, std::size_t member, Thread& thread) const noexcept {
+    /// How far apart two motions that agree are: their orbits, or else their rotations, as far as these are known.
+    double distance(const Settled& a, const Settled& b, std::size_t member, Thread& thread) const noexcept {
         if (has_orbit(a)) return gap(a, b, member, thread);
-        const double apart = abs(a.rotation - b.rotation) - (a.error + b.error);
-        return apart > 0 ? apart : 0;
+        const double difference = abs(a.rotation - b.rotation) - (a.error + b.error);
+        return difference > 0 ? difference : 0;
     }
 
-    bool is_on_branch(const Cell& cell, const Fate& trial, Thread& thread) const noexcept {
+    bool is_on_branch(const Cell& cell, const Settled& trial, Thread& thread) const noexcept {
         if (!agree(cell.near, trial)) return false;
-        if (!agree(cell.near, cell.far)) return true;
-        return distance(cell.near, trial, cell.member, thread) <= distance(trial, cell.far, cell.member, thread);
+        if (!agree(cell.near, cell.behind)) return true;
+        return distance(cell.near, trial, cell.member, thread) <= distance(trial, cell.behind, cell.member, thread);
     }
 
-    /// Decides whether two fates that agree are the ends of one branch, as far as the halvings tell: its ends approach each
+    /// Whether an orbit does not close before its period.
+    bool has_least_period(const PeriodicOrbit& orbit, const Pendulum& pendulum, Thread& thread) const noexcept {
+        const double frequency = strobe_frequency(pendulum), same = 0x1p-26 + 4 * orbit.error;
+        State point = orbit.point;
+        for (double done = 1; done < orbit.period; ++done) {
+            if (!advance_one_period(pendulum, point, thread)) return false;
+            if (apart(point, orbit.point, frequency) <= same) return false;
+        }
+        return true;
+    }
+
+    /// Follows a branch of periodic orbits by Newton's method, which does not become slow where the branch ends. Returns false
+    /// if that does not decide about the trial: in the first halvings, whose steps may be too long for Newton's method.
+    bool try_newton(Cell& cell, Thread& thread) const noexcept {
+        constexpr int long_halvings = 6;
+        constexpr double reach = 0.25;
+        const Settled& near = cell.near;
+        const Pendulum pendulum = pendulum_at(cell.member, cell.trial());
+        if (!is_driven(pendulum) || !(near.kind == Kind::periodic || near.kind == Kind::fixed_point)) return false;
+        PeriodicOrbit orbit;
+        if (!refine_within(pendulum, near.point, near.period, reach, strobe, thread, orbit)) return false;
+        Settled trial{cell.trial(), Kind::unsettled, 0, nan, nan, {}};
+        if (orbit.is_found && orbit.is_stable && has_least_period(orbit, pendulum, thread)) {
+            const Fate fate = fate_on(orbit, pendulum);
+            trial = {trial.value, fate.kind, fate.period, fate.rotation.value, fate.rotation.error, fate.end};
+        }
+        if (!agree(near, trial) && cell.halvings < long_halvings) return false;
+        judge(cell, trial, thread);
+        return true;
+    }
+
+    /// Decides whether two motions that agree are the ends of one branch, as far as the halvings tell: its ends approach each
     /// other at least as the square root of the length of the interval, a jump stays.
     bool is_one_branch(Cell& cell, Thread& thread) const noexcept {
         const double noise = has_orbit(cell.near) ? 16 * strobe.match : 0;
-        const double apart = distance(cell.near, cell.far, cell.member, thread);
-        if (cell.halvings == 0) cell.first_distance = apart;
-        return !(apart > noise) || (cell.halvings > 0 && apart <= cell.first_distance / 4);
+        const double now = distance(cell.near, cell.far, cell.member, thread);
+        if (cell.halvings == 0) cell.first_distance = now;
+        return !(now > noise) || (cell.halvings > 0 && now <= cell.first_distance / 4);
     }
 
     /// Looks at the present interval, and decides how to go on.
     void proceed_with(Cell& cell, Thread& thread) const noexcept {
         constexpr int least_halvings = 5;  // the fifth leaves less than a quarter of a square root
         const bool do_agree = agree(cell.near, cell.far);
+        cell.stage = Cell::Stage::halving;
         if (do_agree && is_one_branch(cell, thread))
             cell.stage = Cell::Stage::none;
         else if (cell.is_narrow(tolerance) && (!do_agree || cell.halvings >= least_halvings || cell.error() == 0))
             cell.stage = cell.near_has_moved ? Cell::Stage::checking : Cell::Stage::found;
-        else
-            cell.stage = Cell::Stage::halving;
     }
 
-    void halve(Cell& cell, const Fate& trial, Thread& thread) const noexcept {
+    void set_far(Cell& cell, const Settled& trial) const noexcept {
+        cell.far = trial;
+        if (agree(trial, cell.last)) cell.behind = trial;
+    }
+
+    void halve(Cell& cell, const Settled& trial, Thread& thread) const noexcept {
         cell.near_has_moved = is_on_branch(cell, trial, thread);
-        (cell.near_has_moved ? cell.near : cell.far) = trial;
+        if (cell.near_has_moved)
+            cell.near = trial;
+        else
+            set_far(cell, trial);
         ++cell.halvings;
         proceed_with(cell, thread);
     }
 
     /// Ends the search if the far end is off the branch also from the present near end; else goes on behind it.
-    void check_far_end(Cell& cell, const Fate& trial, Thread& thread) const noexcept {
+    void check_far_end(Cell& cell, const Settled& trial, Thread& thread) const noexcept {
         constexpr int most_returns = 8;
         if (!is_on_branch(cell, trial, thread)) {
-            cell.far = trial;
+            set_far(cell, trial);
             cell.stage = Cell::Stage::found;
         } else if (cell.far.value == cell.last.value || ++cell.returns > most_returns) {
             cell.stage = Cell::Stage::none;
         } else {
             cell.near = trial;
-            cell.far = cell.last;
+            cell.far = cell.behind = cell.last;
             cell.near_has_moved = true;
             proceed_with(cell, thread);
         }
     }
 
-    void judge(Cell& cell, const Fate& trial, Thread& thread) const noexcept {
+    void judge(Cell& cell, const Settled& trial, Thread& thread) const noexcept {
         cell.stage == Cell::Stage::halving ? halve(cell, trial, thread) : check_far_end(cell, trial, thread);
-        if (!cell.is_active()) put(cell, thread);
     }
 
     /// The interval before a member, from the results of the carried sweep.
     void begin(std::size_t member, Thread& thread) const noexcept {
-        const auto fate_of = [&](std::size_t i) { return fate(i, ensemble.size, (ensemble.*swept.column)[i]); };
+        const auto settled_of = [&](std::size_t i) { return settled(i, ensemble.size, (ensemble.*swept.column)[i]); };
         const bool is_first = member % line == (carry == Carry::up ? 0 : line - 1);
         const std::size_t neighbour = is_first ? member : carry == Carry::up ? member - 1 : member + 1;
         Cell& cell = cells[member];
-        cell = {.member = member, .near = fate_of(neighbour), .far = fate_of(member), .last = fate_of(member)};
+        cell = {.member = member, .near = settled_of(neighbour), .far = settled_of(member), .last = settled_of(member)};
+        cell.behind = cell.last;
         if (cell.near.kind == Kind::lost || cell.near.value == cell.far.value)
             cell.stage = Cell::Stage::none;
         else
             proceed_with(cell, thread);
-        if (!cell.is_active()) put(cell, thread);
     }
 
     void put(const Cell& cell, Thread& thread) const noexcept {
         const bool is_found = cell.stage == Cell::Stage::found;
         const auto put_value = [&](std::size_t c, double x) { columns[c][cell.member] = is_found ? x : nan; };
-        const bool has_gap = is_found && has_orbit(cell.near) && has_orbit(cell.far);
+        const bool has_gap = is_found && has_orbit(cell.near) && has_orbit(cell.behind);
         put_value(0, cell.middle());
         put_value(1, cell.error());
-        put_value(2, has_gap ? gap(cell.near, cell.far, cell.member, thread) : nan);
+        put_value(2, has_gap ? gap(cell.near, cell.behind, cell.member, thread) : nan);
         put_value(3, static_cast<double>(cell.near.kind));
-        put_value(4, static_cast<double>(cell.far.kind));
+        put_value(4, static_cast<double>(cell.behind.kind));
+    }
+
+    /// Goes on by Newton's method as far as that decides, and writes the results when the search has ended.
+    void go_on(Cell& cell, Thread& thread) const noexcept {
+        while (cell.is_active() && thread.goes_on() && try_newton(cell, thread)) {
+        }
+        if (!cell.is_active()) put(cell, thread);
     }
 
     /// Keeps the active cells only.
     void compact() noexcept {
-        std::size_t kept = 0;
-        for (std::size_t i = 0; i < count; ++i)
-            if (cells[i].is_active()) cells[kept++] = cells[i];
-        count = kept;
+        count = static_cast<std::size_t>(
+            std::remove_if(cells, cells + count, [](const Cell& cell) { return !cell.is_active(); }) - cells);
     }
 
     Ensemble load_trials() const noexcept {
@@ -247,14 +303,17 @@ struct JumpSearch {
             measure_carried(Measure::attractors, ensemble, line, carry, strobe, sweep.columns, part_of(control, 0, from));
         if (!outcome.is_done()) return outcome;
         count = ensemble.size;
-        outcome =
-            for_each_piece(count, 0, part_of(control, from, from), [&](Thread& thread, std::size_t i) { begin(i, thread); });
+        outcome = for_each_piece(count, 0, part_of(control, from, from), [&](Thread& thread, std::size_t i) {
+            begin(i, thread);
+            go_on(cells[i], thread);
+        });
         for (compact(); outcome.is_done() && count > 0; compact()) {
             const double to = from + (1 - from) / (all + 1);  // approaches 1 if there are more rounds
             outcome = measure(Measure::attractors, load_trials(), strobe, results_of(count), part_of(control, from, to));
             if (!outcome.is_done()) break;
             outcome = for_each_piece(count, 0, part_of(control, to, to), [&](Thread& thread, std::size_t i) {
-                judge(cells[i], fate(i, count, cells[i].trial()), thread);
+                judge(cells[i], settled(i, count, cells[i].trial()), thread);
+                go_on(cells[i], thread);
             });
             from = to;
         }

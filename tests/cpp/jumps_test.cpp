@@ -19,7 +19,8 @@ Jumps jumps_of(const Flock& flock, std::size_t line, Carry carry, const char* sw
     EXPECT_TRUE(outcome.is_done()) << describe(outcome.refusal);
     for (std::size_t i = 0; i < flock.size(); ++i)
         if (j.value[i] == j.value[i])
-            printf("%zu %.12g +- %.2g gap %g  %s -> %s\n", i, j.value[i], j.error[i], j.gap[i], kind_names[int(j.before[i])], kind_names[int(j.after[i])]);
+            printf("%zu %.12g +- %.2g gap %g  %s -> %s\n", i, j.value[i], j.error[i], j.gap[i], kind_names[int(j.before[i])],
+                   kind_names[int(j.after[i])]);
     return j;
 }
 TEST(Jumps, Junction) {
@@ -28,8 +29,8 @@ TEST(Jumps, Junction) {
     jumps_of(flock, 12, Carry::down, "torque", 1e-9, {200, 100});
 }
 TEST(Jumps, Duffing) {
-    const Flock flock{.beta = {0.05}, .drive_amplitude={0.06}, .drive_frequency = linspace(0.7, 1.05, 36)};
+    const Flock flock{.beta = {0.05}, .drive_amplitude = {0.06}, .drive_frequency = linspace(0.7, 1.05, 36)};
     jumps_of(flock, 36, Carry::up, "drive_frequency", 1e-9, {200, 400});
     jumps_of(flock, 36, Carry::down, "drive_frequency", 1e-9, {200, 400});
 }
-}
+}  // namespace

@@ -76,6 +76,57 @@ def test_locked_orbits_turn_once_a_period(pendula):
     assert [abs(float(line.split()[1])) * 1.5 for line in text.splitlines()[1:]] == pytest.approx([1, 1], abs=1e-5)
 
 
+@pytest.mark.parametrize(
+    "arguments, velocity",
+    [
+        # overdamped: sqrt(torque^2 - alpha^2)/beta, up to 1/beta^2 (Ambegaokar and Halperin, 1969)
+        (("--beta", "100", "--torque", "1.5"), math.sqrt(1.25) / 100),
+        (("--beta", "300", "--torque", "1.5"), math.sqrt(1.25) / 300),
+        # the period of the limit cycle by SciPy's DOP853 with tolerances of 1e-12
+        (("--beta", "10", "--torque", "1.01", "--omega0", "2.101"), 0.0141776),
+        (("--beta", "0.2", "--torque", "0.26", "--omega0", "3.3"), 0.893291),
+    ],
+)
+def test_mean_velocities_of_undriven_pendulums(pendula, arguments, velocity):
+    (_, row) = output(pendula, "mean-velocity", *arguments).splitlines()
+    mean, error = map(float, row.split())
+    assert mean == pytest.approx(velocity, rel=1e-4 if "--omega0" not in arguments else 1e-6) and error < 1e-9 * mean
+
+
+def test_details_are_further_columns_and_kinds_are_words(pendula):
+    arguments = ("lyapunov", "--theta0", "0.2", "--beta", "0.5")
+    (plain, row), (header, detailed) = (
+        [line.split() for line in output(pendula, *arguments, *more).splitlines()] for more in ((), ("--details",))
+    )
+    assert plain == ["#", "lyapunov", "error", "horizon"]
+    assert header == [*plain, "second", "dimension", "dimension_error", "kind", "theta", "omega"]
+    assert detailed[:3] == row and detailed[6] == "fixed_point"
+    assert [float(x) for x in detailed[0:4:3]] == [-0.25, -0.25]  # the real parts of the eigenvalues at the bottom
+    (described,) = map(json.loads, output(pendula, *arguments, "--details", "--format", "json").splitlines()[1:])
+    assert described["kind"] == "fixed_point"
+
+
+def test_an_orbit_is_found_with_its_multipliers(pendula):
+    """Their product is exp(-beta T), by Liouville's theorem, for any orbit."""
+    arguments = ("orbit", "--theta0", "0.2", *PUBLISHED[2:], "--drive-amplitude", "1.07", "--orbit-period", "2", "--format", "json")
+    head, orbit = map(json.loads, output(pendula, *arguments, "--precision", "full").splitlines())
+    assert head["orbit_period"] == 2 and "periods" not in head
+    product = orbit["first"] * orbit["second"]
+    assert product == pytest.approx(math.exp(-0.5 * 2 * 2 * math.pi * 1.5), rel=1e-6)
+
+
+def test_the_strobe_may_stand_at_any_phase(pendula):
+    """A quarter of a period later than phase 0, the driven linear response has moved on by the motion of that time."""
+    arguments = (*PUBLISHED, "--drive-amplitude", "0.5", "--precision", "full", "--format", "json", "--periods", "1")
+    rows = [
+        json.loads(output(pendula, "section", *arguments, "--strobe-phase", phase).splitlines()[1]) for phase in ("0", "90deg")
+    ]
+    start = ("--theta0", repr(rows[0]["theta"]), "--omega0", repr(rows[0]["omega"]), *PUBLISHED[2:], "--drive-amplitude", "0.5")
+    times = ("--until", "2.356194490192345", "--every", "2.356194490192345", "--method", "taylor", "--precision", "full")
+    _, theta, omega = map(float, output(pendula, "solve", *start, *times).splitlines()[-1].split())
+    assert (theta, omega) == pytest.approx((rows[1]["theta"], rows[1]["omega"]), abs=1e-12)
+
+
 def test_exponents_come_with_their_errors_and_horizons(pendula):
     text = output(pendula, "lyapunov", *PUBLISHED, "--drive-amplitude", "0.9:1.5:2", "--method", "rk4", "--steps", "200", "--format", "csv")
     header, regular, chaotic = (line.split(",") for line in text.splitlines())

@@ -98,7 +98,18 @@ def test_the_ends_of_branches_are_located(pendula, text):
 
 def test_located_jumps_stand_behind_the_outer_ranges(pendula):
     found = rows(
-        pendula, "mean-velocity", "--alpha", "1:2:2", "--beta", "0.2", "--torque", "0.6:2.4:4", "--carry", "up", "--locate", "1e-2"
+        pendula,
+        "mean-velocity",
+        "--alpha",
+        "1:2:2",
+        "--beta",
+        "0.2",
+        "--torque",
+        "0.6:2.4:4",
+        "--carry",
+        "up",
+        "--locate",
+        "1e-2",
     )
     assert [row["alpha"] for row in found] == ["1", "2"]
     for row in found:
@@ -122,7 +133,10 @@ def test_shares_count_the_starts_that_end_on_each_attractor(pendula):
     ]  # fmt: skip
     for amplitude, period in (("1.06", "1"), ("1.07", "2")):  # mirror orbits of period 1, then doubled
         table = [row for row in shares if row["drive_amplitude"] == amplitude]
-        assert [(row["label"], row["kind"], row["period"]) for row in table] == [("1", "periodic", period), ("2", "periodic", period)]
+        assert [(row["label"], row["kind"], row["period"]) for row in table] == [
+            ("1", "periodic", period),
+            ("2", "periodic", period),
+        ]
         for row in table:
             count = sum((m["drive_amplitude"], m["label"]) == (amplitude, row["label"]) for m in members)
             assert int(row["members"]) == count and float(row["share"]) == count / 60

@@ -19,7 +19,9 @@ def output(pendula, *arguments, **options):
 
 
 def test_a_section_has_a_line_for_each_point(pendula):
-    text = output(pendula, "section", *PUBLISHED, "--drive-amplitude", "1.07", "--periods", "4", "--method", "rk4", "--steps", "200")
+    text = output(
+        pendula, "section", *PUBLISHED, "--drive-amplitude", "1.07", "--periods", "4", "--method", "rk4", "--steps", "200"
+    )
     header, *lines = text.splitlines()
     points = [tuple(map(float, line.split())) for line in lines]
     assert header == "# theta omega" and len(points) == 4
@@ -108,7 +110,18 @@ def test_details_are_further_columns_and_kinds_are_words(pendula):
 
 def test_an_orbit_is_found_with_its_multipliers(pendula):
     """Their product is exp(-beta T), by Liouville's theorem, for any orbit."""
-    arguments = ("orbit", "--theta0", "0.2", *PUBLISHED[2:], "--drive-amplitude", "1.07", "--orbit-period", "2", "--format", "json")
+    arguments = (
+        "orbit",
+        "--theta0",
+        "0.2",
+        *PUBLISHED[2:],
+        "--drive-amplitude",
+        "1.07",
+        "--orbit-period",
+        "2",
+        "--format",
+        "json",
+    )
     head, orbit = map(json.loads, output(pendula, *arguments, "--precision", "full").splitlines())
     assert head["orbit_period"] == 2 and "periods" not in head
     product = orbit["first"] * orbit["second"]
@@ -128,7 +141,19 @@ def test_the_strobe_may_stand_at_any_phase(pendula):
 
 
 def test_exponents_come_with_their_errors_and_horizons(pendula):
-    text = output(pendula, "lyapunov", *PUBLISHED, "--drive-amplitude", "0.9:1.5:2", "--method", "rk4", "--steps", "200", "--format", "csv")
+    text = output(
+        pendula,
+        "lyapunov",
+        *PUBLISHED,
+        "--drive-amplitude",
+        "0.9:1.5:2",
+        "--method",
+        "rk4",
+        "--steps",
+        "200",
+        "--format",
+        "csv",
+    )
     header, regular, chaotic = (line.split(",") for line in text.splitlines())
     assert header == ["drive_amplitude", "lyapunov", "error", "horizon"]
     assert float(regular[1]) == pytest.approx(-0.25, abs=float(regular[2]) + 1e-6) and regular[3] == "inf"
@@ -136,7 +161,19 @@ def test_exponents_come_with_their_errors_and_horizons(pendula):
 
 
 def test_json_is_an_object_a_line_the_measure_first(pendula):
-    text = output(pendula, "lyapunov", *PUBLISHED, "--drive-amplitude", "0.9:1.5:2", "--method", "rk4", "--steps", "100", "--format", "json")
+    text = output(
+        pendula,
+        "lyapunov",
+        *PUBLISHED,
+        "--drive-amplitude",
+        "0.9:1.5:2",
+        "--method",
+        "rk4",
+        "--steps",
+        "100",
+        "--format",
+        "json",
+    )
     head, *rows = map(json.loads, text.splitlines())
     assert head["measure"] == "lyapunov" and head["drive_amplitude"] == [0.9, 1.5, 2] and head["beta"] == 0.5
     assert [row["drive_amplitude"] for row in rows] == [0.9, 1.5] and rows[0]["horizon"] is None
@@ -304,7 +341,18 @@ def test_every_member_of_a_sweep_is_checked_as_if_it_stood_alone(pendula, argume
 
 def test_attractors_are_numbered_over_the_whole_sweep(pendula):
     """At 1.0 the published pendulum has two mirror orbits; starts on both sides of the top find both, 5000 of them in one call."""
-    arguments = ("attractors", *PUBLISHED[2:], "--drive-amplitude", "1.0", "--theta0", "-3:3:5000", "--method", "rk4", "--steps", "100")
+    arguments = (
+        "attractors",
+        *PUBLISHED[2:],
+        "--drive-amplitude",
+        "1.0",
+        "--theta0",
+        "-3:3:5000",
+        "--method",
+        "rk4",
+        "--steps",
+        "100",
+    )
     header, *lines = output(pendula, *arguments).splitlines()
     assert header == "# theta0 label kind period rotation theta omega" and len(lines) == 5000
     orbits = {tuple(line.split()[1:]) for line in lines}

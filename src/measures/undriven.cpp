@@ -251,7 +251,7 @@ Fate frictionless(const Pendulum& p, State initial) noexcept {
     if (excess < -excess_of_rounding) {
         fate.kind = Kind::conservative;
         set_velocity(fate, {0, 0}, 1);
-    } else if (excess > excess_of_rounding || !(p.torque <= p.alpha)) {
+    } else if (excess > excess_of_rounding || slope.p.torque > p.alpha) {
         fate.kind = Kind::unbounded;
     }
     if (fate.kind != Kind::unsettled) set_exponent(fate, {0, 0}, p);

@@ -111,12 +111,10 @@ Refusal check_given_steps(const Pendulum& p, Method method, const Schedule& s) n
     if (const auto refusal = check_rule("dt", s.dt, Rule::positive)) return refusal;
     if (p.beta * s.dt <= 1) return {};  // stable by every method
     double before = 0;
-    for (std::size_t row = 0; row < s.times.size(); ++row) {
-        const double length = s.times[row] - before;
-        auto refusal = check_stability(p, method, length, steps_in(length, s.dt), "steps_per_row");
-        refusal.row = row;
-        if (refusal) return refusal;
-        before = s.times[row];
+    for (const double t : s.times) {
+        const double length = t - before;
+        if (const auto refusal = check_stability(p, method, length, steps_in(length, s.dt), "steps_per_row")) return refusal;
+        before = t;
     }
     return {};
 }

@@ -16,13 +16,13 @@ from pendula import _core, _words
 PACKAGE = Path(__file__).resolve().parents[1] / "python" / "pendula"
 
 # The values of the tables say no more than that they are tuples.
-TUPLES = {"parameters": "Parameter", "measures": "Measure"}
+TUPLES = {"parameters": "Parameter", "measures": "Measure", "jump_columns": "ResultColumn"}
 NAMES = {
     "Method": _core.method_names,
     "StrobeMethod": _core.strobe_method_names,
     "Plane": _core.plane_names,
     "Direction": _core.direction_names,
-    "Carry": (*_core.carry_names, "both"),
+    "Carry": _words.CARRIES,
 }
 WHOLE = {"label"}  # columns of whole numbers, which are int64
 ROWS = ", [..., row]"
@@ -60,10 +60,10 @@ def arguments(name: str, base: str, doc: str, fields: tuple[_words.Argument, ...
     return f'\n\nclass {name}({base}, total=False):\n    """{doc}"""\n\n{"".join(lines)}'
 
 
-def results(measure: _core.Measure) -> str:
+def results(name: str) -> str:
     """The columns of a measure as a named tuple."""
     fields = []
-    for column in measure.columns:
+    for column in _words.COLUMNS[name]:
         kind = "npt.NDArray[np.int64]" if column.name in WHOLE else "Kind | npt.NDArray[np.int8]" if column.is_kind else "Array"
         unit = "" if column.unit == "1" else f" [{column.unit}]"
         symbol = f"{column.symbol}, " if column.symbol else ""
@@ -71,13 +71,13 @@ def results(measure: _core.Measure) -> str:
         if column.is_kind:
             words += "; Kind(k).name is the word for an element k"
         fields.append(f'    {column.name}: {kind}\n    """{words}."""\n')
-    doc = f"What measure.{measure.name} finds: numbers for one pendulum, arrays for several."
-    return f'\n\nclass {class_name(measure)}(NamedTuple):\n    """{doc}"""\n\n{"".join(fields)}'
+    doc = f"What measure.{name} finds: numbers for one pendulum, arrays for several."
+    return f'\n\nclass {class_name(name)}(NamedTuple):\n    """{doc}"""\n\n{"".join(fields)}'
 
 
-def class_name(measure: _core.Measure) -> str:
+def class_name(name: str) -> str:
     """As classes are named."""
-    return measure.name.title().replace("_", "")
+    return name.title().replace("_", "")
 
 
 def tables() -> str:
@@ -101,11 +101,11 @@ def tables() -> str:
     for each in (*_words.INITIAL, *pendulum):
         if each.name in names:
             text += f'    {each.name}: float | Array\n    """{each.meaning}."""\n'
-    for measure in _core.measures:
-        doc = f"What measure.{measure.name} takes by name."
-        text += arguments(f"{class_name(measure)}Arguments", "PendulumArguments", doc, _words.settings_of(measure.name))
-    for measure in _core.measures:
-        text += results(measure)
+    taken = {each.name: _words.settings_of(each.name) for each in _core.measures} | {"jumps": _words.JUMP_SETTINGS}
+    for name, settings in taken.items():
+        text += arguments(f"{class_name(name)}Arguments", "PendulumArguments", f"What measure.{name} takes by name.", settings)
+    for name in taken:
+        text += results(name)
     return formatted(text, "_tables.py")
 
 

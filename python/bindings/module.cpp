@@ -66,6 +66,7 @@ void define_tables(nb::module_& module) {
         });
     module.attr("parameters") = tuple_of(parameters);
     module.attr("measures") = tuple_of(measures);
+    module.attr("jump_columns") = tuple_of(jump_columns);
     module.attr("method_names") = tuple_of(method_names);
     module.attr("strobe_method_names") = tuple_of(strobe_method_names);
     module.attr("plane_names") = tuple_of(plane_names);

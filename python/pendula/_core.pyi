@@ -85,6 +85,8 @@ parameters: tuple[Parameter, ...]
 
 measures: tuple[Measure, ...]
 
+jump_columns: tuple[ResultColumn, ...]
+
 method_names: tuple[str, ...]
 
 strobe_method_names: tuple[str, ...]
@@ -255,6 +257,7 @@ def measure(
     measure: str | None,
     settings: dict[str, object],
     *,
+    carry: str | None = None,
     threads: int | None = None,
     theta0: numpy.typing.ArrayLike | None = 0.0,
     omega0: numpy.typing.ArrayLike | None = 0.0,
@@ -266,3 +269,23 @@ def measure(
     drive_frequency: numpy.typing.ArrayLike | None = 0.0,
     drive_phase: numpy.typing.ArrayLike | None = 0.0,
 ) -> tuple[numpy.typing.NDArray[numpy.float64], ...]: ...
+def jumps(
+    along: str | None,
+    jump_tolerance: float | None,
+    settings: dict[str, object],
+    *,
+    carry: str | None,
+    threads: int | None = None,
+    theta0: numpy.typing.ArrayLike | None = 0.0,
+    omega0: numpy.typing.ArrayLike | None = 0.0,
+    alpha: numpy.typing.ArrayLike | None = 1.0,
+    beta: numpy.typing.ArrayLike | None = 0.0,
+    torque: numpy.typing.ArrayLike | None = 0.0,
+    drive_amplitude: numpy.typing.ArrayLike | None = 0.0,
+    pivot_amplitude: numpy.typing.ArrayLike | None = 0.0,
+    drive_frequency: numpy.typing.ArrayLike | None = 0.0,
+    drive_phase: numpy.typing.ArrayLike | None = 0.0,
+) -> tuple[numpy.typing.NDArray[numpy.float64], ...]: ...
+def share_error(
+    count: numpy.typing.ArrayLike | None, trials: numpy.typing.ArrayLike | None
+) -> numpy.typing.NDArray[numpy.float64]: ...

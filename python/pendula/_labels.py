@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ._words import MEASURES, attributes
+from ._words import COLUMNS, attributes
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -30,7 +30,7 @@ class Labels:
         """Results with these labels: DataArrays, or Series, and DataFrames where there are rows or a carried axis."""
         if hasattr(result, "with_labels"):
             return result.with_labels(self)
-        fields: Mapping[str, Any] = attributes(function) if function in MEASURES else attributes()
+        fields: Mapping[str, Any] = attributes(function) if function in COLUMNS else attributes()
         is_both = carry == "both"
         if not isinstance(result, tuple):
             return self._one(result, "", fields, is_both)

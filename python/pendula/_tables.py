@@ -85,7 +85,7 @@ class SectionArguments(PendulumArguments, total=False):
     periods: int
     """measured periods; 100 if left out."""
     budget: int
-    """periods after which a motion that has not settled is given up; 10000 if left out."""
+    """periods after which a motion that has not settled is given up; 5000 if left out."""
     steps_per_period: int
     """steps of rk4 in a period; 1000 if left out."""
     tolerance: float
@@ -114,7 +114,7 @@ class MeanVelocityArguments(PendulumArguments, total=False):
     periods: int
     """measured periods; 400 if left out."""
     budget: int
-    """periods after which a motion that has not settled is given up; 10000 if left out."""
+    """periods after which a motion that has not settled is given up; 5000 if left out."""
     steps_per_period: int
     """steps of rk4 in a period; 1000 if left out."""
     tolerance: float
@@ -139,7 +139,7 @@ class LyapunovArguments(PendulumArguments, total=False):
     periods: int
     """measured periods; 1000 if left out."""
     budget: int
-    """periods after which a motion that has not settled is given up; 10000 if left out."""
+    """periods after which a motion that has not settled is given up; 5000 if left out."""
     steps_per_period: int
     """steps of rk4 in a period; 1000 if left out."""
     tolerance: float
@@ -166,7 +166,7 @@ class AttractorsArguments(PendulumArguments, total=False):
     periods: int
     """measured periods; 400 if left out."""
     budget: int
-    """periods after which a motion that has not settled is given up; 10000 if left out."""
+    """periods after which a motion that has not settled is given up; 5000 if left out."""
     steps_per_period: int
     """steps of rk4 in a period; 1000 if left out."""
     tolerance: float
@@ -194,6 +194,29 @@ class OrbitArguments(PendulumArguments, total=False):
     """phase of the drive at the times of the strobe [rad]; 0 if left out."""
     orbit_period: int
     """periods after which the orbit closes; 1 if left out."""
+    method: StrobeMethod
+    """of integration, taylor or rk4; taylor if left out."""
+    threads: int | None
+    """at most so many, from 1 to 256; as many as there are processors if left out."""
+
+
+class JumpsArguments(PendulumArguments, total=False):
+    """What measure.jumps takes by name."""
+
+    transient: int
+    """periods before the measurement; 200 if left out."""
+    periods: int
+    """measured periods; 400 if left out."""
+    budget: int
+    """periods after which a motion that has not settled is given up; 5000 if left out."""
+    steps_per_period: int
+    """steps of rk4 in a period; 1000 if left out."""
+    tolerance: float
+    """of taylor; 1e-15 if left out."""
+    strobe_phase: float
+    """phase of the drive at the times of the strobe [rad]; 0 if left out."""
+    match: float
+    """the distance at which a motion is on a periodic orbit [rad]; 1e-06 if left out."""
     method: StrobeMethod
     """of integration, taylor or rk4; taylor if left out."""
     threads: int | None
@@ -297,3 +320,18 @@ class Orbit(NamedTuple):
     """λ, largest exponent of Floquet [s⁻¹]."""
     exponent_error: Array
     """a bound of its error [s⁻¹]."""
+
+
+class Jumps(NamedTuple):
+    """What measure.jumps finds: numbers for one pendulum, arrays for several."""
+
+    value: Array
+    """where the branch ends []."""
+    error: Array
+    """half the width of the interval of value []."""
+    gap: Array
+    """distance of the orbits before and behind."""
+    before: Kind | npt.NDArray[np.int8]
+    """what becomes of the motion before; Kind(k).name is the word for an element k."""
+    after: Kind | npt.NDArray[np.int8]
+    """what becomes of the motion behind; Kind(k).name is the word for an element k."""

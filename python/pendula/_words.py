@@ -65,6 +65,8 @@ STIFFNESS = (
 )
 PENDULUM = STIFFNESS + tuple(_parameter(each) for each in _core.parameters if not each.is_initial and each.name != "alpha")
 MEASURES = {each.name: each for each in _core.measures}
+COLUMNS = {each.name: each.columns for each in _core.measures} | {"jumps": _core.jump_columns}
+CARRIES = (*_core.carry_names, "both")
 DRIVEN = "A driven pendulum, of which either amplitude is not 0, needs a positive drive_frequency."
 
 
@@ -87,16 +89,19 @@ def settings_of(measure: str) -> tuple[Argument, ...]:
     return (*settings, THREADS)
 
 
-def attributes(measure: str = "section") -> dict[str, dict[str, object]]:
+JUMP_SETTINGS = tuple(each for each in settings_of("attractors") if each is not CARRY)
+
+
+def attributes(function: str = "section") -> dict[str, dict[str, object]]:
     """The units and the names in words of all quantities, as xarray has them."""
     as_ascii = str.maketrans("⁻⁰¹²³", "-0123")
     rows = [("t", "s", "time"), ("dt", "s", "longest step"), ("energy", "s⁻²", "energy per m l²")]
     rows += [(each.name, each.unit, each.meaning) for each in _core.parameters]
-    rows += [(each.name, each.unit, each.meaning) for each in MEASURES[measure].columns]
+    rows += [(each.name, each.unit, each.meaning) for each in COLUMNS[function]]
     found: dict[str, dict[str, object]] = {
         name: {"units": unit.translate(as_ascii), "long_name": meaning} for name, unit, meaning in rows
     }
-    for each in MEASURES[measure].columns:
+    for each in COLUMNS[function]:
         if each.is_kind:
             found[each.name] |= {"flag_values": [int(k) for k in _core.Kind], "flag_meanings": " ".join(_core.Kind.__members__)}
     return found

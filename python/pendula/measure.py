@@ -11,8 +11,8 @@ import numpy as np
 from . import _core
 from ._arguments import public, with_alpha
 from ._core import Kind
-from ._tables import Array, Attractors, Lyapunov, MeanVelocity, Orbit, Section
-from ._words import MEASURES, PENDULUM, settings_of
+from ._tables import Array, Attractors, Jumps, Lyapunov, MeanVelocity, Orbit, Section
+from ._words import CARRIES, COLUMNS, JUMP_SETTINGS, MEASURES, PENDULUM, settings_of
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping, Sequence
@@ -22,6 +22,8 @@ if TYPE_CHECKING:
 
     from ._tables import (
         AttractorsArguments,
+        Carry,
+        JumpsArguments,
         LyapunovArguments,
         MeanVelocityArguments,
         OrbitArguments,
@@ -29,9 +31,11 @@ if TYPE_CHECKING:
     )
 
     Function = TypeVar("Function", bound=Callable[..., Any])
+    Columns = tuple[Array, ...]
 
 __all__ = [
     "Attractors",
+    "Jumps",
     "Kind",
     "Lyapunov",
     "MeanVelocity",
@@ -39,6 +43,7 @@ __all__ = [
     "Section",
     "Shares",
     "attractors",
+    "jumps",
     "lyapunov",
     "mean_velocity",
     "orbit",
@@ -125,6 +130,42 @@ def orbit(theta0: npt.ArrayLike, omega0: npt.ArrayLike, **given: Unpack[OrbitArg
     return Orbit(*_measure("orbit", theta0, omega0, given))
 
 
+@public(*PENDULUM, *JUMP_SETTINGS)
+def jumps(
+    theta0: npt.ArrayLike,
+    omega0: npt.ArrayLike,
+    *,
+    jump_tolerance: float,
+    carry: Carry = "up",
+    **given: Unpack[JumpsArguments],
+) -> Jumps:
+    """Where the branches of a carried sweep end: the jumps of hysteresis.
+
+    The sweep runs along the last axis, where just one parameter varies; drive_phase cannot be swept. The interval between two
+    neighbours is halved, each time from the last state on the branch, until half its width is at most jump_tolerance, in the
+    unit of the parameter.
+
+    Returns `Jumps`: arrays with one value for each pendulum. It is that of the jump between the pendulum and the neighbour from
+    which it started; value, error and gap are NaN, and before and after -1, where there is none.
+
+    {parameters}
+    carry: up, down, or both along a new first axis; up if left out
+    jump_tolerance: the largest error of value, positive
+    ValueError with the index for a value outside its interval, TypeError for what is no real number.
+    """
+    settings, parameters = _parted(given)
+    starts = {"theta0": theta0, "omega0": omega0}
+    swept = [name for name, value in (starts | parameters).items() if np.ndim(value) > 0 and np.shape(value)[-1] != 1]
+    if len(swept) != 1:
+        raise ValueError(f"just one parameter must vary along the last axis, got {', '.join(swept) or 'none'}")
+    threads = given.get("threads")
+
+    def compute(order: str | None) -> Columns:
+        return _core.jumps(swept[0], jump_tolerance, settings, carry=order, threads=threads, **starts, **parameters)
+
+    return Jumps(*_carried("jumps", carry, compute))
+
+
 class Shares(NamedTuple):
     """Shares of basins: arrays [..., label], where label 0 stands for none."""
 
@@ -156,18 +197,37 @@ def shares(label: npt.ArrayLike, *, axis: int | Sequence[int] | None = None) -> 
 
 
 def _measure(name: str, theta0: npt.ArrayLike, omega0: npt.ArrayLike, given: Mapping[str, Any]) -> list[Any]:
-    """The columns of a measure, with kinds as such."""
-    info = MEASURES[name]
-    pendulum = {each.name for each in PENDULUM}
-    settings = {key: value for key, value in given.items() if key not in pendulum and key != "threads"}
-    parameters = with_alpha({key: value for key, value in given.items() if key in pendulum})
+    """The columns of a measure, with a warning where there are NaN."""
+    settings, parameters = _parted(given)
     threads = given.get("threads")
-    columns: list[Any] = [*_core.measure(name, settings, theta0=theta0, omega0=omega0, threads=threads, **parameters)]
-    for place, column in enumerate(info.columns):
+
+    def compute(order: str | None) -> Columns:
+        return _core.measure(name, settings, carry=order, theta0=theta0, omega0=omega0, threads=threads, **parameters)
+
+    columns = _carried(name, given.get("carry"), compute)
+    _warn_of_nan(MEASURES[name], columns)
+    return columns
+
+
+def _parted(given: Mapping[str, Any]) -> tuple[dict[str, Any], dict[str, Any]]:
+    """Settings, and parameters as the extension takes them."""
+    pendulum = {each.name for each in PENDULUM}
+    settings = {name: value for name, value in given.items() if name not in pendulum and name not in ("carry", "threads")}
+    return settings, with_alpha({name: value for name, value in given.items() if name in pendulum})
+
+
+def _carried(name: str, carry: str | None, compute: Callable[[str | None], Columns]) -> list[Any]:
+    """The columns of a measure, or of both sweeps along a new first axis, with kinds as such."""
+    if carry is not None and carry not in CARRIES:
+        raise ValueError(f"carry must be one of {', '.join(CARRIES)}, or None, got {carry!r}")
+    if carry == "both":
+        columns: list[Any] = [np.stack(each) for each in zip(*map(compute, _core.carry_names), strict=True)]
+    else:
+        columns = [*compute(carry)]
+    for place, column in enumerate(COLUMNS[name]):
         if column.is_kind:
             values = columns[place]
-            columns[place] = Kind(int(values)) if np.ndim(values) == 0 else values.astype(np.int8)
-    _warn_of_nan(info, columns)
+            columns[place] = Kind(int(values)) if np.ndim(values) == 0 else np.nan_to_num(values, nan=-1).astype(np.int8)
     return columns
 
 

@@ -2,9 +2,23 @@
 
 from . import measure, plot
 from ._arguments import Parameters
-from ._closed_form import Analysis, Regime, analyze, exact
+from ._closed_form import Analysis, Regime, analyze, exact, to_radians
+from ._core import Kind
 from ._core import version as __version__
 from ._solution import Solution
 from ._solve import solve
 
-__all__ = ["Analysis", "Parameters", "Regime", "Solution", "__version__", "analyze", "exact", "measure", "plot", "solve"]
+__all__ = [
+    "Analysis",
+    "Kind",
+    "Parameters",
+    "Regime",
+    "Solution",
+    "__version__",
+    "analyze",
+    "exact",
+    "measure",
+    "plot",
+    "solve",
+    "to_radians",
+]

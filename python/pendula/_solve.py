@@ -5,18 +5,19 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from . import _core
-from ._arguments import Parameters, known, with_parameters
+from ._arguments import Parameters, public, with_alpha
 from ._solution import Solution
+from ._words import PENDULUM
 
 if TYPE_CHECKING:
     from typing import Unpack
 
     import numpy.typing as npt
 
-    from ._tables import PendulumArguments
+    from ._tables import Method, PendulumArguments
 
 
-@with_parameters()
+@public(*PENDULUM, apart=("t",))
 def solve(
     theta0: npt.ArrayLike,
     omega0: npt.ArrayLike,
@@ -24,7 +25,7 @@ def solve(
     t: npt.ArrayLike | None = None,
     until: npt.ArrayLike | None = None,
     every: npt.ArrayLike | None = None,
-    method: str = "rk4",
+    method: Method = "rk4",
     dt: npt.ArrayLike | None = None,
     tolerance: float = 1e-15,
     threads: int | None = None,
@@ -59,6 +60,6 @@ def solve(
         dt=dt,
         tolerance=tolerance,
         threads=threads,
-        **known(pendulum, Parameters._fields),
+        **with_alpha(pendulum),
     )
     return Solution(times, theta, omega, turns, Parameters._make(values), method, step, tolerance)

@@ -3,6 +3,7 @@
 #include "checks.hpp"
 #include "measures/fate.hpp"
 #include "measures/strobe.hpp"
+#include "pendula/analysis.hpp"
 #include "pendula/angle.hpp"
 #include "pendula/version.hpp"
 
@@ -21,13 +22,12 @@ struct Vector {
 
 /// One evaluation of the map over a whole orbit.
 struct Return {
-    Vector miss;        ///< the point after the orbit minus the point before it, without whole turns
-    double turns = 0;   ///< whole turns
-    Vector column[2];   ///< of the monodromy matrix
-    double growth = 0;  ///< the largest growth of a displacement on the way, a factor >= 1
+    Vector miss;       ///< the point after the orbit minus the point before it, without whole turns
+    double turns = 0;  ///< whole turns
+    double scale = 0;  ///< the monodromy matrix is exp(scale) times the columns, whose lengths are 1 or less
+    Vector column[2];
+    double excess = 1;  ///< the largest growth of a displacement on the way, divided by the larger one of exp(scale) and 1
 };
-
-constexpr double largest_logarithm = 600;  // of a growth: its square stays in the range of doubles
 
 /// Puts a pendulum on two places of a chunk, with the two displacements of length 1.
 void load_twice(StrobedMembers& m, const Pendulum& p, State at, double phase) noexcept {
@@ -55,62 +55,68 @@ bool follow(const Pendulum& p, State from, double period, const Strobe& strobe, 
     const double angle = wrap(motion.theta[0] - wrap(from.theta));
     r.miss = {angle, (motion.omega[0] - from.omega) / m.root_alpha[0]};
     r.turns = round_even((motion.turns[0] - turns) + (motion.theta[0] - wrap(from.theta) - angle) / (2 * pi));
-    r.growth = largest < largest_logarithm ? exp(largest) : nan;
+    r.scale = m.growth[0] > m.growth[1] ? m.growth[0] : m.growth[1];
+    r.excess = exp(r.scale > 0 ? largest - r.scale : largest);
     for (int i = 0; i < 2; ++i) {
-        const double factor = exp(m.growth[i]);
+        const double factor = exp(m.growth[i] - r.scale);
         r.column[i] = {factor * m.chunk.tangent.theta[i], factor * m.chunk.tangent.omega[i] / m.root_alpha[i]};
     }
     return true;
 }
 
-/// The solution of (M - 1) d = -miss, and a bound on how much the inverse enlarges an error.
+/// The solution of (M - 1) d = -miss, and a bound on how much the inverse enlarges an error made on the way.
 struct Correction {
     Vector step;
     double stretch;
 };
 
 Correction correction(const Return& r) noexcept {
-    const double a = r.column[0].x - 1, b = r.column[1].x, c = r.column[0].y, d = r.column[1].y - 1;
-    const double determinant = a * d - b * c;
-    const double size = sqrt(a * a + b * b + c * c + d * d);
-    return {{(b * r.miss.y - d * r.miss.x) / determinant, (c * r.miss.x - a * r.miss.y) / determinant},
-            size / abs(determinant)};
+    // Both M and 1 are divided by the larger one of exp(scale) and 1, so that nothing overflows.
+    const double shrink = r.scale > 0 ? exp(-r.scale) : 1, factor = r.scale > 0 ? 1 : exp(r.scale);
+    const double a = factor * r.column[0].x - shrink, b = factor * r.column[1].x;
+    const double c = factor * r.column[0].y, d = factor * r.column[1].y - shrink;
+    const double determinant = a * d - b * c, size = sqrt(a * a + b * b + c * c + d * d);
+    const double inverse = shrink / determinant;
+    return {{(b * r.miss.y - d * r.miss.x) * inverse, (c * r.miss.x - a * r.miss.y) * inverse},
+            r.excess * size / abs(determinant)};
 }
 
-/// Floquet's larger exponent from the trace and the determinant of the monodromy matrix, where `rate` is that of the
-/// contraction, ln(determinant)/time.
-double exponent_of(double trace, double determinant, double rate, double time) noexcept {
+/// Floquet's larger exponent, from the trace and the determinant of the columns.
+double exponent_of(double trace, double determinant, double scale, double time) noexcept {
     const double half = 0.5 * abs(trace), square = half * half - determinant;
-    return square > 0 ? log(half + sqrt(square)) / time : 0.5 * rate;
+    const double modulus = square > 0 ? half + sqrt(square) : sqrt(determinant);
+    return (scale + arithmetic::log(modulus)) / time;
 }
 
 /// The multipliers and exponents.
 void set_multipliers(PeriodicOrbit& o, const Return& r, const Pendulum& p, double noise) noexcept {
     const double time = o.period * 2 * pi / strobe_frequency(p);
     const Vector &u = r.column[0], &v = r.column[1];
-    const double size = abs(u.x * v.y) + abs(u.y * v.x);
-    o.trace = u.x + v.y;
+    const double trace = u.x + v.y, determinant = exp(-p.beta * time - 2 * r.scale), factor = exp(r.scale);
+    o.trace = factor * trace;
     o.determinant = exp(-p.beta * time);
-    o.mismatch = abs((u.x * v.y - u.y * v.x) - o.determinant) / size;
-    const double half = 0.5 * o.trace, square = half * half - o.determinant;
-    if (square >= 0) {
-        o.multiplier[0] = half + (half < 0 ? -sqrt(square) : sqrt(square));
-        o.multiplier[1] = o.determinant / o.multiplier[0];
-        o.imaginary = 0;
-    } else {
-        o.multiplier[0] = o.multiplier[1] = half;
-        o.imaginary = sqrt(-square);
-    }
-    o.exponent[0] = exponent_of(o.trace, o.determinant, -p.beta, time);
+    o.mismatch = abs((u.x * v.y - u.y * v.x) - determinant) / (abs(u.x * v.y) + abs(u.y * v.x));
+    const double half = 0.5 * trace, square = half * half - determinant;
+    const double first = square < 0 ? half : half + (half < 0 ? -sqrt(square) : sqrt(square));
+    o.multiplier[0] = factor * first;
+    o.multiplier[1] = factor * (square < 0 ? half : determinant / first);
+    o.imaginary = square < 0 ? factor * sqrt(-square) : 0;
+    o.exponent[0] = square < 0 ? -0.5 * p.beta : exponent_of(trace, determinant, r.scale, time);
     o.exponent[1] = -p.beta - o.exponent[0];
     // The trace is wrong by the rounding of the displacements, and because the point is not exactly on the orbit.
     const double length = u.length() + v.length();
-    const double wrong = (noise * o.period * r.growth + o.mismatch) * (abs(u.x) + abs(v.y)) + 4 * o.error * length * r.growth;
-    const double above = exponent_of(abs(o.trace) + wrong, o.determinant, -p.beta, time) - o.exponent[0];
-    const double least = abs(o.trace) > wrong ? abs(o.trace) - wrong : 0;
-    const double below = o.exponent[0] - exponent_of(least, o.determinant, -p.beta, time);
+    const double moved = o.error > 0 ? 4 * o.error * length * r.excess * exp(r.scale > 0 ? r.scale : 0) : 0;
+    const double wrong = (noise * o.period + o.mismatch) * (abs(u.x) + abs(v.y) + length) + moved;
+    const double least = abs(trace) > wrong ? abs(trace) - wrong : 0;
+    const double above = exponent_of(abs(trace) + wrong, determinant, r.scale, time) - o.exponent[0];
+    const double below = o.exponent[0] - exponent_of(least, determinant, r.scale, time);
     o.exponent_error = (above > below ? above : below) + 0x1p-50 * (abs(o.exponent[0]) + p.beta);
     o.is_stable = o.exponent[0] + o.exponent_error < 0;
+}
+
+/// Whether a state is an equilibrium of a shaken pendulum to the last bit.
+bool is_at_rest(const Pendulum& p, State at) noexcept {
+    return at.omega == 0 && p.torque == 0 && p.drive_amplitude == 0 && (at.theta == 0 || rests_on_top(p, at));
 }
 
 /// A relative error of a step of the map: of rounding, or of the tolerance.
@@ -133,13 +139,15 @@ bool refine_within(const Pendulum& p, State guess, double period, double reach, 
         Return r;
         if (!follow(p, at, period, strobe, thread, r)) return false;
         const bool is_closed = r.miss.x == 0 && r.miss.y == 0;
-        const auto newton = is_closed ? Correction{{}, 0} : correction(r);
+        auto newton = correction(r);
+        if (is_closed) newton.step = {};
+        if (is_closed && is_at_rest(p, at)) newton.stretch = 0;
         const double size = newton.step.length(), scale = 1 + abs(at.omega) / root_alpha;
-        if (!(size - size == 0) || !(r.growth - r.growth == 0)) return true;
+        if (!(size - size == 0)) return true;
         if (size <= 0x1p-50 * scale || (size >= 0.5 * before && size < 0x1p-24 * scale)) {
             orbit.is_found = true;
             orbit.point = {wrap(at.theta + newton.step.x), at.omega + newton.step.y * root_alpha};
-            orbit.error = size + (is_closed ? 1 : newton.stretch) * noise * period * scale * r.growth;
+            orbit.error = size + newton.stretch * noise * period * scale;
             orbit.turns = r.turns;
             set_multipliers(orbit, r, p, noise);
             return true;

@@ -56,6 +56,9 @@ struct MeasureCall {
     }
 };
 
+/// Why a call of `measure` is refused, or no refusal.
+Refusal check(Measure what, const MeasureCall& call, const Control& control) noexcept;
+
 /// A control for a part of a call: its progress runs from one fraction of the whole call to another. The given control must
 /// outlive it.
 inline Control part_of(const Control& control, double from, double to) noexcept {

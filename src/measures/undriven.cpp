@@ -26,6 +26,9 @@ namespace {
 
 constexpr double ulp_of_one = 0x1p-52;
 
+/// The relative excess of energy (see `Slope`) that rounding of the angles may make of 0.
+constexpr double excess_of_rounding = 0x1p-46;
+
 /// A pendulum with friction or torque, mirrored if necessary so that the torque is not negative, and its saddle.
 struct Slope {
     Pendulum p;
@@ -38,6 +41,16 @@ struct Slope {
         saddle = p.torque <= p.alpha ? pi - atan2(p.torque, curve) : nan;
     }
 
+    /// Whether the motion is certain to end at rest. If torque = alpha, the equilibria have merged at x = theta - saddle = 0,
+    /// where x'' = alpha (1 - cos x) - beta x'. There the region 0 <= x' <= (alpha/beta) x^2, -beta^2/(4 alpha) <= x < 0 is
+    /// never left, and x < 0 creeps to 0.
+    bool is_trapped(double theta, double omega) const noexcept {
+        if (excess(theta, omega) < -excess_of_rounding) return true;
+        const double x = theta - saddle;
+        return p.torque == p.alpha && omega >= 0 && x < -0x1p-40 && x >= -1 && 4 * p.alpha * abs(x) <= p.beta * p.beta &&
+               p.beta * omega <= p.alpha * x * x;
+    }
+
     /// The energy above that of the saddle next to the state in the direction of the torque, divided by a bound of its
     /// terms. Below 0 the motion cannot pass the saddle. NaN without a saddle.
     double excess(double theta, double omega) const noexcept {
@@ -47,9 +60,6 @@ struct Slope {
         return ((kinetic + work) + rise) / (kinetic + abs(work) + abs(rise) + p.alpha * 0x1p-40);
     }
 };
-
-/// The excess that rounding of the angles may make of 0.
-constexpr double excess_of_rounding = 0x1p-46;
 
 /// A passage of theta = 2 pi level in the direction of the torque.
 struct Passage {
@@ -121,7 +131,7 @@ struct Run {
         for (double n = 0;; ++n) {
             const auto& step_now = taylor.step;
             if (!(step_now.length == step_now.length)) return Ending::lost;
-            if (slope.excess(step_now.start.theta, step_now.start.omega) < -excess_of_rounding) return Ending::rests;
+            if (slope.is_trapped(step_now.start.theta, step_now.start.omega)) return Ending::rests;
             if (--steps_left < 0) return Ending::out_of_budget;
             if (n >= 256) {
                 n = 0;

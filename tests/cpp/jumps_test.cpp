@@ -34,3 +34,28 @@ TEST(Jumps, Duffing) {
     jumps_of(flock, 36, Carry::down, "drive_frequency", 1e-9, {200, 400});
 }
 }  // namespace
+namespace {
+TEST(JumpsX, Floor) {
+    const Flock flock{.beta = {0.05}, .drive_amplitude={0.06}, .drive_frequency = linspace(0.7, 1.05, 36)};
+    jumps_of(flock, 36, Carry::up, "drive_frequency", 1e-14, {200, 400});
+    jumps_of(flock, 36, Carry::down, "drive_frequency", 1e-14, {200, 400});
+    const Flock j{.beta = {0.2}, .torque = linspace(0.05, 1.15, 12)};
+    jumps_of(j, 12, Carry::up, "torque", 1e-15, {200, 100});
+    jumps_of(j, 12, Carry::down, "torque", 1e-15, {200, 100});
+}
+TEST(JumpsX, Doubling) {
+    Flock flock = published(linspace(1.0, 1.08, 9));
+    jumps_of(flock, 9, Carry::up, "drive_amplitude", 1e-10, {200, 400});
+    jumps_of(flock, 9, Carry::down, "drive_amplitude", 1e-10, {200, 400});
+}
+TEST(JumpsX, Cascade) {
+    Flock flock = published(linspace(1.3, 1.5, 41));
+    jumps_of(flock, 41, Carry::up, "drive_amplitude", 1e-8, {200, 400});
+    jumps_of(flock, 41, Carry::down, "drive_amplitude", 1e-8, {200, 400});
+}
+TEST(JumpsX, Pivot) {
+    const Flock flock{.theta = {0.1}, .beta = {0.2}, .pivot_amplitude = linspace(0, 0.9, 10), .drive_frequency = {2.1}};
+    jumps_of(flock, 10, Carry::up, "pivot_amplitude", 1e-12, {200, 400});
+    jumps_of(flock, 10, Carry::down, "pivot_amplitude", 1e-12, {200, 400});
+}
+}

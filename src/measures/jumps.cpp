@@ -118,7 +118,7 @@ struct JumpSearch {
             go_on(cells[i], thread);
         });
         for (compact(); outcome.is_done() && count > 0; compact()) {
-            const double to = from + (1 - from) / (all + 1);  // approaches 1 if there are more rounds
+            const double to = std::min(from + 1 / (static_cast<double>(line) + all), 1.0);
             outcome = measure(Measure::attractors, load_trials(), strobe, results_of(count), part_of(control, from, to));
             if (!outcome.is_done()) break;
             outcome = for_each_piece(count, 0, part_of(control, to, to), [&](Thread& thread, std::size_t i) {

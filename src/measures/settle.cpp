@@ -210,10 +210,21 @@ struct Pursuit {
         }
     }
 
+    /// Whether a torque has accelerated a motion without friction all the time, far beyond the speeds that the other forces
+    /// make.
+    bool runs_away(int i) const noexcept {
+        const auto& p = m.chunk.parameters;
+        if (p.beta[i] != 0 || p.torque[i] == 0) return false;
+        const double gained = p.torque[i] * n * m.period[i], omega = m.chunk.motion.omega[i];
+        const double other = sqrt(p.alpha[i] + abs(p.drive_amplitude[i]) + abs(p.pivot_amplitude[i]));
+        return abs(gained) > 100 * other && abs(omega - gained) < 0.1 * abs(gained);
+    }
+
     /// The kind of a motion at the end of a window, by its means.
     Kind kind_of(int i) const noexcept {
         const auto& f = followers[i];
         constexpr double converged = 1e-4;  // turns in a period
+        if (runs_away(i)) return Kind::unbounded;
         if (f.growth.value > 3 * f.growth.error) return Kind::chaotic;
         const double contraction = m.chunk.parameters.beta[i] * m.period[i];
         const bool is_neutral = abs(f.growth.value) <= f.growth.error;
@@ -227,6 +238,7 @@ struct Pursuit {
         const auto p = pendulum_of(call.ensemble, m.number[i]);
         Fate fate{.kind = kind, .end = state(i)};
         const double frequency = m.frequency[i], period = m.period[i];
+        if (kind == Kind::unbounded) return set_exponent(fate, {0, 0}, p), fate;
         set_velocity(fate, {f.rotation.value * frequency, f.rotation.error * frequency}, frequency);
         set_exponent(fate, {f.growth.value / period, f.growth.error / period}, p);
         return fate;

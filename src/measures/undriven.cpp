@@ -187,7 +187,7 @@ Fate resting(const Slope& slope, double sign) noexcept {
     Fate fate{.kind = Kind::fixed_point, .end = {sign * atan2(slope.p.torque, slope.curve), 0}, .period = 1};
     set_velocity(fate, {0, 0}, 1);
     const double half = 0.5 * slope.p.beta, square = half * half - slope.curve;
-    const double exponent = square > 0 ? -slope.curve / (half + sqrt(square)) : -half;
+    const double exponent = 0 - (square > 0 ? slope.curve / (half + sqrt(square)) : half);
     set_exponent(fate, {exponent, 0x1p-50 * abs(exponent)}, slope.p);
     return fate;
 }

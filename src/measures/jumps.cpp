@@ -4,9 +4,7 @@
 
 #include "arithmetic/pack.hpp"
 #include "checks.hpp"
-#include "measures/carry.hpp"
-#include "measures/fate.hpp"
-#include "pendula/angle.hpp"
+#include "measures/branches.hpp"
 #include "pendula/carry.hpp"
 
 namespace pendula {
@@ -17,64 +15,6 @@ namespace {
 
 constexpr std::size_t attractor_columns = std::size(attractors_columns);
 
-/// What a motion has settled on.
-struct Settled {
-    double value;  ///< of the swept parameter
-    Kind kind;
-    double period, rotation, error;
-    State point;
-};
-
-bool has_orbit(const Settled& on) noexcept {
-    return on.kind == Kind::fixed_point || on.kind == Kind::periodic || on.kind == Kind::rotating;
-}
-
-/// Whether two motions agree in what cannot change along a branch. The rotation of a periodic orbit is a ratio of whole
-/// numbers, rounded.
-bool agree(const Settled& a, const Settled& b) noexcept {
-    constexpr double rounding = 0x1p-40;
-    return a.kind == b.kind && (a.kind != Kind::periodic || (a.period == b.period && abs(a.rotation - b.rotation) < rounding));
-}
-
-/// The distance of two states, in theta [rad] and omega/frequency.
-double apart(State a, State b, double frequency) noexcept {
-    const double x = abs(wrap(a.theta - b.theta)), y = abs(a.omega - b.omega) / frequency;
-    return x > y ? x : y;
-}
-
-/// The interval between two neighbours, while it is halved.
-struct Cell {
-    enum class Stage {
-        halving,
-        checking,  ///< whether the far end is off the branch if it is approached from the present near end
-        found,
-        none,
-    };
-    std::size_t member;  ///< behind the jump
-    Settled near, far, last;
-    Settled behind;  ///< the nearest motion off the branch that agrees with the last one
-    double first_distance = 0;
-    int halvings = 0, returns = 0;
-    bool near_has_moved = false;  ///< since the far end was measured
-    Stage stage = Stage::halving;
-
-    double middle() const noexcept { return 0.5 * near.value + 0.5 * far.value; }
-    double error() const noexcept { return 0.5 * abs(far.value - near.value); }
-    double trial() const noexcept { return stage == Stage::checking ? far.value : middle(); }
-    bool is_active() const noexcept { return stage == Stage::halving || stage == Stage::checking; }
-    bool is_narrow(double tolerance) const noexcept {
-        return error() <= tolerance || middle() == near.value || middle() == far.value;
-    }
-};
-
-/// One pendulum.
-Ensemble ensemble_of(const Pendulum& pendulum, const State& initial) noexcept {
-    Ensemble alone{.size = 1, .theta = initial.theta, .omega = initial.omega};
-    for (const auto& parameter : parameters)
-        if (parameter.value) alone.*parameter.column = pendulum.*parameter.value;
-    return alone;
-}
-
 /// The arguments of one call, and room for the rounds.
 struct JumpSearch {
     const Ensemble& ensemble;
@@ -83,146 +23,16 @@ struct JumpSearch {
     const Parameter& swept;
     double tolerance;
     const Strobe& strobe;
+    Branches branches;
     std::span<const std::span<double>> columns;  ///< the results
     Cell* cells;                                 ///< one for each member
     double* inputs;                              ///< parameter_count x members
     double* outputs;                             ///< attractor_columns x members
     std::size_t count = 0;                       ///< number of active cells
 
-    Pendulum pendulum_at(std::size_t member, double value) const noexcept {
-        Pendulum pendulum = pendulum_of(ensemble, member);
-        pendulum.*swept.value = value;
-        pendulum.drive_phase = strobe.phase;
-        return pendulum;
-    }
-
     Settled settled(std::size_t i, std::size_t size, double value) const noexcept {
         const auto column = [&](std::size_t c) { return outputs[c * size + i]; };
         return {value, static_cast<Kind>(column(1)), column(2), column(3), column(6), {column(4), column(5)}};
-    }
-
-    /// The smallest distance of a point of one orbit from the other. NaN if the call was stopped.
-    double gap(const Settled& a, const Settled& b, std::size_t member, Thread& thread) const noexcept {
-        const bool is_longer = a.kind == Kind::periodic && (b.kind != Kind::periodic || a.period > b.period);
-        const Settled &orbit = is_longer ? a : b, &other = is_longer ? b : a;
-        const Pendulum pendulum = pendulum_at(member, orbit.value);
-        const double frequency = strobe_frequency(pendulum);
-        const double period = orbit.kind == Kind::periodic ? orbit.period : 1;
-        State point = orbit.point;
-        double least = __builtin_inf();
-        for (double done = 0; done < period; ++done) {
-            if (done > 0 && !advance_one_period(pendulum, point, thread)) return nan;
-            const double distance = apart(point, other.point, frequency);
-            least = distance < least ? distance : least;
-        }
-        return least;
-    }
-
-    bool advance_one_period(const Pendulum& pendulum, State& point, Thread& thread) const noexcept {
-        StrobedMembers m;
-        load_strobed(m, ensemble_of(pendulum, point), 0);
-        if (!integrate_to_next_strobe(m, {strobe, thread, false})) return false;
-        point = {m.chunk.motion.theta[0], m.chunk.motion.omega[0]};
-        return true;
-    }
-
-    /// How far apart two motions that agree are: their orbits, or else their rotations, as far as these are known.
-    double distance(const Settled& a, const Settled& b, std::size_t member, Thread& thread) const noexcept {
-        if (has_orbit(a)) return gap(a, b, member, thread);
-        const double difference = abs(a.rotation - b.rotation) - (a.error + b.error);
-        return difference > 0 ? difference : 0;
-    }
-
-    bool is_on_branch(const Cell& cell, const Settled& trial, Thread& thread) const noexcept {
-        if (!agree(cell.near, trial)) return false;
-        if (!agree(cell.near, cell.behind)) return true;
-        return distance(cell.near, trial, cell.member, thread) <= distance(trial, cell.behind, cell.member, thread);
-    }
-
-    /// Whether an orbit does not close before its period.
-    bool has_least_period(const PeriodicOrbit& orbit, const Pendulum& pendulum, Thread& thread) const noexcept {
-        const double frequency = strobe_frequency(pendulum), same = 0x1p-26 + 4 * orbit.error;
-        State point = orbit.point;
-        for (double done = 1; done < orbit.period; ++done) {
-            if (!advance_one_period(pendulum, point, thread)) return false;
-            if (apart(point, orbit.point, frequency) <= same) return false;
-        }
-        return true;
-    }
-
-    /// Follows a branch of periodic orbits by Newton's method, which does not become slow where the branch ends. Returns false
-    /// if that does not decide about the trial: in the first halvings, whose steps may be too long for Newton's method.
-    bool try_newton(Cell& cell, Thread& thread) const noexcept {
-        constexpr int long_halvings = 6;
-        constexpr double reach = 0.25;
-        const Settled& near = cell.near;
-        const Pendulum pendulum = pendulum_at(cell.member, cell.trial());
-        if (!is_driven(pendulum) || !(near.kind == Kind::periodic || near.kind == Kind::fixed_point)) return false;
-        PeriodicOrbit orbit;
-        if (!refine_within(pendulum, near.point, near.period, reach, strobe, thread, orbit)) return false;
-        Settled trial{cell.trial(), Kind::unsettled, 0, nan, nan, {}};
-        if (orbit.is_found && orbit.is_stable && has_least_period(orbit, pendulum, thread)) {
-            const Fate fate = fate_on(orbit, pendulum);
-            trial = {trial.value, fate.kind, fate.period, fate.rotation.value, fate.rotation.error, fate.end};
-        }
-        if (!agree(near, trial) && cell.halvings < long_halvings) return false;
-        judge(cell, trial, thread);
-        return true;
-    }
-
-    /// Decides whether two motions that agree are the ends of one branch, as far as the halvings tell: its ends approach each
-    /// other at least as the square root of the length of the interval, a jump stays.
-    bool is_one_branch(Cell& cell, Thread& thread) const noexcept {
-        const double noise = has_orbit(cell.near) ? 16 * strobe.match : 0;
-        const double now = distance(cell.near, cell.far, cell.member, thread);
-        if (cell.halvings == 0) cell.first_distance = now;
-        return !(now > noise) || (cell.halvings > 0 && now <= cell.first_distance / 4);
-    }
-
-    /// Looks at the present interval, and decides how to go on.
-    void proceed_with(Cell& cell, Thread& thread) const noexcept {
-        constexpr int least_halvings = 5;  // the fifth leaves less than a quarter of a square root
-        const bool do_agree = agree(cell.near, cell.far);
-        cell.stage = Cell::Stage::halving;
-        if (do_agree && is_one_branch(cell, thread))
-            cell.stage = Cell::Stage::none;
-        else if (cell.is_narrow(tolerance) && (!do_agree || cell.halvings >= least_halvings || cell.error() == 0))
-            cell.stage = cell.near_has_moved ? Cell::Stage::checking : Cell::Stage::found;
-    }
-
-    void set_far(Cell& cell, const Settled& trial) const noexcept {
-        cell.far = trial;
-        if (agree(trial, cell.last)) cell.behind = trial;
-    }
-
-    void halve(Cell& cell, const Settled& trial, Thread& thread) const noexcept {
-        cell.near_has_moved = is_on_branch(cell, trial, thread);
-        if (cell.near_has_moved)
-            cell.near = trial;
-        else
-            set_far(cell, trial);
-        ++cell.halvings;
-        proceed_with(cell, thread);
-    }
-
-    /// Ends the search if the far end is off the branch also from the present near end; else goes on behind it.
-    void check_far_end(Cell& cell, const Settled& trial, Thread& thread) const noexcept {
-        constexpr int most_returns = 8;
-        if (!is_on_branch(cell, trial, thread)) {
-            set_far(cell, trial);
-            cell.stage = Cell::Stage::found;
-        } else if (cell.far.value == cell.last.value || ++cell.returns > most_returns) {
-            cell.stage = Cell::Stage::none;
-        } else {
-            cell.near = trial;
-            cell.far = cell.behind = cell.last;
-            cell.near_has_moved = true;
-            proceed_with(cell, thread);
-        }
-    }
-
-    void judge(Cell& cell, const Settled& trial, Thread& thread) const noexcept {
-        cell.stage == Cell::Stage::halving ? halve(cell, trial, thread) : check_far_end(cell, trial, thread);
     }
 
     /// The interval before a member, from the results of the carried sweep.
@@ -236,7 +46,7 @@ struct JumpSearch {
         if (cell.near.kind == Kind::lost || cell.near.value == cell.far.value)
             cell.stage = Cell::Stage::none;
         else
-            proceed_with(cell, thread);
+            branches.proceed_with(cell, thread);
     }
 
     void put(const Cell& cell, Thread& thread) const noexcept {
@@ -245,14 +55,14 @@ struct JumpSearch {
         const bool has_gap = is_found && has_orbit(cell.near) && has_orbit(cell.behind);
         put_value(0, cell.middle());
         put_value(1, cell.error());
-        put_value(2, has_gap ? gap(cell.near, cell.behind, cell.member, thread) : nan);
+        put_value(2, has_gap ? branches.gap(cell.near, cell.behind, cell.member, thread) : nan);
         put_value(3, static_cast<double>(cell.near.kind));
         put_value(4, static_cast<double>(cell.behind.kind));
     }
 
     /// Goes on by Newton's method as far as that decides, and writes the results when the search has ended.
     void go_on(Cell& cell, Thread& thread) const noexcept {
-        while (cell.is_active() && thread.goes_on() && try_newton(cell, thread)) {
+        while (cell.is_active() && thread.goes_on() && branches.try_newton(cell, thread)) {
         }
         if (!cell.is_active()) put(cell, thread);
     }
@@ -265,7 +75,7 @@ struct JumpSearch {
 
     Ensemble load_trials() const noexcept {
         for (std::size_t i = 0; i < count; ++i) {
-            Pendulum pendulum = pendulum_at(cells[i].member, cells[i].trial());
+            Pendulum pendulum = branches.pendulum_at(cells[i].member, cells[i].trial());
             State initial;
             continue_from(cells[i].near.point, strobe, pendulum, initial);
             for (std::size_t j = 0; j < parameter_count; ++j)
@@ -308,11 +118,11 @@ struct JumpSearch {
             go_on(cells[i], thread);
         });
         for (compact(); outcome.is_done() && count > 0; compact()) {
-            const double to = from + (1 - from) / (all + 1);  // approaches 1 if there are more rounds
+            const double to = std::min(from + 1 / (static_cast<double>(line) + all), 1.0);
             outcome = measure(Measure::attractors, load_trials(), strobe, results_of(count), part_of(control, from, to));
             if (!outcome.is_done()) break;
             outcome = for_each_piece(count, 0, part_of(control, to, to), [&](Thread& thread, std::size_t i) {
-                judge(cells[i], settled(i, count, cells[i].trial()), thread);
+                branches.judge(cells[i], settled(i, count, cells[i].trial()), thread);
                 go_on(cells[i], thread);
             });
             from = to;
@@ -340,7 +150,8 @@ Refusal check(const JumpSearch& search) noexcept {
 
 Outcome locate_jumps(const Ensemble& ensemble, std::size_t line, Carry carry, const Parameter& swept, double tolerance,
                      const Strobe& strobe, const Results& results, const Control& control) noexcept {
-    JumpSearch search{ensemble, line, carry, swept, tolerance, strobe, results.columns(), nullptr, nullptr, nullptr};
+    const Branches branches(ensemble, swept, tolerance, strobe);
+    JumpSearch search{ensemble, line, carry, swept, tolerance, strobe, branches, results.columns(), nullptr, nullptr, nullptr};
     if (const auto refusal = check(search)) return refusal;
     const std::unique_ptr<Cell[]> cells(new (std::nothrow) Cell[ensemble.size]);
     const std::unique_ptr<double[]> inputs(new (std::nothrow) double[parameter_count * ensemble.size]),

@@ -140,6 +140,52 @@ def test_the_strobe_may_stand_at_any_phase(pendula):
     assert (theta, omega) == pytest.approx((rows[1]["theta"], rows[1]["omega"]), abs=1e-12)
 
 
+def agm(a, b):
+    while abs(a - b) > 1e-15 * a:
+        a, b = (a + b) / 2, math.sqrt(a * b)
+    return a
+
+
+@pytest.mark.parametrize("direction, crossings", [("both", (1, 3, 5)), ("falling", (1, 5, 9)), ("rising", (3, 7, 11))])
+def test_a_section_by_a_plane_has_the_times_of_crossings(pendula, direction, crossings):
+    """A swing passes the bottom at odd quarters of its period 2 pi/agm(1, cos(theta0/2)), with velocity 2 sin(theta0/2)."""
+    arguments = (
+        "--theta0",
+        "1",
+        "--plane",
+        "theta",
+        "--direction",
+        direction,
+        "--transient",
+        "0",
+        "--periods",
+        "3",
+        "--details",
+    )
+    lines = output(pendula, "section", *arguments, "--precision", "full").splitlines()
+    assert lines[0] == "# theta omega turns t"
+    for crossing, line in zip(crossings, lines[1:], strict=True):
+        theta, omega, turns, t = map(float, line.split())
+        assert t == pytest.approx(crossing / 4 * 2 * math.pi / agm(1, math.cos(0.5)), rel=1e-13)
+        assert omega == pytest.approx((1 if crossing % 4 == 3 else -1) * 2 * math.sin(0.5), rel=1e-13)
+        assert abs(theta) < 1e-13 and turns == 0
+
+
+def test_a_plane_may_stand_at_degrees_and_at_a_velocity(pendula):
+    at_angle = ("--plane", "theta", "--level", "30deg", "--periods", "1", "--format", "csv")
+    assert output(pendula, "section", "--theta0", "1", *at_angle).splitlines()[1].startswith("0.523599,")
+    at_velocity = ("--plane", "omega", "--level", "10deg/s", "--periods", "1", "--format", "csv")
+    assert output(pendula, "section", "--theta0", "1", *at_velocity).splitlines()[1].endswith(",0.174533")
+
+
+def test_a_plane_that_is_not_crossed_is_told(pendula):
+    done = pendula("section", "--theta0", "1:3:2", "--plane", "theta", "--level", "2", "--periods", "2", "--budget", "30")
+    assert done.returncode == 1 and len(done.stdout.splitlines()) == 5 and done.stdout.count(b"1 nan nan\n") == 2
+    assert done.stderr.decode() == (
+        "pendula: results are nan for 1 of 2 pendulums: they cross the plane fewer than 2 times in 30 periods (--budget)\n"
+    )
+
+
 def test_exponents_come_with_their_errors_and_horizons(pendula):
     text = output(
         pendula,
@@ -241,6 +287,7 @@ BAD = [
     (("section", "--level", "1"), "--level is for a section by a plane: it needs --plane theta or omega"),
     (("section", "--direction", "rising"), "--direction is for a section by a plane: it needs --plane theta or omega"),
     (("section", "--budget", "9"), "--budget is for a section by a plane: it needs --plane theta or omega"),
+    (("section", "--plane", "theta", "--method", "rk4"), "--plane needs --method taylor"),
     (("section", "--plane", "x"), '--plane "x": "x" is none of strobe, theta, omega'),
     (("section", "--plane", "omega", "--level", "3deg"), '--level "3deg": it is not a number'),
     (("section", "--plane", "theta", "--level", "3deg/s"), '--level "3deg/s": it is not a number'),

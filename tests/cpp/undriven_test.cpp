@@ -75,7 +75,8 @@ TEST(Undriven, ThatComeToRestHaveNoVelocityAndTheEigenvaluesOfTheirEquilibrium) 
                  {1, 3, -0.6, -1.5 + std::sqrt(2.25 - 0.8)},
                  {1, 100, 0.6, -0.00800064010242048459}};  // -50 + sqrt(2500 - 0.8), by mpmath
     for (const auto& c : cases) {
-        const Flock flock{.theta = {0.4, -0.5}, .omega = {0.1, -0.2}, .alpha = {c.alpha}, .beta = {c.beta}, .torque = {c.torque}};
+        const Flock flock{
+            .theta = {0.4, -0.5}, .omega = {0.1, -0.2}, .alpha = {c.alpha}, .beta = {c.beta}, .torque = {c.torque}};
         const auto velocity = velocity_of(flock, {}), found = exponent_of(flock, {});
         for (int i : {0, 1}) {
             EXPECT_EQ(velocity["mean_velocity"][i], 0);

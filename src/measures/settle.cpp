@@ -8,6 +8,7 @@ namespace pendula {
 
 using arithmetic::abs;
 using arithmetic::floor;
+using arithmetic::round_even;
 using arithmetic::sqrt;
 using kernels::chunk_size;
 
@@ -18,6 +19,16 @@ constexpr double larger_of(double a, double b) noexcept { return a > b ? a : b; 
 /// The distance of two states, in theta [rad] and omega/frequency.
 double distance(State a, State b, double frequency) noexcept {
     return larger_of(abs(wrap(a.theta - b.theta)), abs(a.omega - b.omega) / frequency);
+}
+
+/// Whether a rotation number with its error may be a ratio with a small denominator. An orbit that is locked to the drive but
+/// settles slowly has such a number, and looks quasi-periodic. No quasi-periodic orbit with friction has one.
+bool may_be_locked(const Estimate& rotation) noexcept {
+    constexpr double largest_denominator = 64, least_distance = 1e-6;
+    const double reach = larger_of(16 * rotation.error, least_distance);
+    for (double q = 1; q <= largest_denominator; ++q)
+        if (abs(q * rotation.value - round_even(q * rotation.value)) <= q * reach) return true;
+    return false;
 }
 
 /// The arguments of one call.
@@ -228,9 +239,9 @@ struct Pursuit {
         if (f.growth.value > 3 * f.growth.error) return Kind::chaotic;
         const double contraction = m.chunk.parameters.beta[i] * m.period[i];
         const bool is_neutral = abs(f.growth.value) <= f.growth.error;
-        const bool is_sharp = contraction == 0 || f.growth.error < 0.2 * contraction;
-        return is_neutral && is_sharp && f.rotation.error < converged && !f.search.has_orbit() ? Kind::quasi_periodic
-                                                                                               : Kind::unsettled;
+        const bool is_sharp = contraction == 0 || (f.growth.error < 0.2 * contraction && !may_be_locked(f.rotation));
+        const bool is_curve = is_neutral && is_sharp && f.rotation.error < converged && !f.search.has_orbit();
+        return is_curve ? Kind::quasi_periodic : Kind::unsettled;
     }
 
     Fate fate_by_means(int i, Kind kind) const noexcept {

@@ -190,7 +190,7 @@ Fate resting(const Slope& slope, double sign) noexcept {
     const double half = 0.5 * slope.p.beta, root = sqrt(slope.curve), square = (half - root) * (half + root);
     const double exponent = 0 - (square > 0 ? slope.curve / (half + sqrt(square)) : half);
     const double noise = 0x1p-51 * (half + root) * half;
-    const double error = square > noise ? noise / sqrt(square) : square > -noise ? 2 * sqrt(noise) : 0;
+    const double error = square > noise ? noise / sqrt(square) * (abs(exponent) / half) : square > -noise ? 2 * sqrt(noise) : 0;
     set_exponent(fate, {exponent, error + 0x1p-50 * abs(exponent)}, slope.p);
     return fate;
 }

@@ -91,6 +91,19 @@ TEST(Undriven, ThatComeToRestHaveNoVelocityAndTheEigenvaluesOfTheirEquilibrium) 
     }
 }
 
+TEST(Undriven, ExponentsWhereTwoEigenvaluesMeetAreWithinTheirErrors) {
+    // -1 - x + sqrt(2 x + x^2) for friction 2 + 2 x.
+    const Flock flock{.theta = {0.5}, .beta = {2, 2 + 0x1p-30, 2 - 0x1p-30, 2 + 0x1p-51}};
+    const double x = 0x1p-31,
+                 exponents[] = {-1, -1 - x + 0x1p-15 * (1 + 0x1p-33), -1 + x, -1 - 0x1p-52 + 0x1p-25 * std::sqrt(0.5)};
+    const auto found = exponent_of(flock, {});
+    for (int i : {0, 1, 2, 3}) {
+        EXPECT_NEAR(found["exponent"][i], exponents[i], found["error"][i]) << i;
+        EXPECT_LE(found["error"][i], 1e-7) << i;
+    }
+    EXPECT_LE(found["error"][1], 1e-10);
+}
+
 TEST(Undriven, LimitCyclesHaveTheExponents0AndMinusTheFriction) {
     const auto found = exponent_of({.omega = {3}, .beta = {0.1}, .torque = {0.5}}, {.history_rows = 2});
     EXPECT_EQ(found["exponent"][0], 0);

@@ -6,7 +6,6 @@
 namespace pendula {
 
 using namespace arithmetic;
-using kernels::motion_at;
 
 namespace {
 
@@ -95,53 +94,56 @@ struct Departure {
     double rate;
 };
 
-Departure departure(const Crossings& search, const TaylorPolynomial& step, double since, double level) noexcept {
-    const auto m = motion_at(step, since);
+Departure departure(const Crossings& search, double since, double level) noexcept {
+    const auto m = motion_at(search.run, since);
     if (search.crossed == Crossed::theta) return {(2 * m.turns - level) * two_pi_dd[0] * 0.5 + (m.theta + m.theta_lo), m.omega};
+    const auto& step = search.run.step;
     const double x = since / step.unit;
-    const double slope = kernels::tail_of_series<1>(step.series, x, [](double a, int k) { return a * k; });
+    const double slope = kernels::with_order(search.run.order, [&](auto order) {
+        return kernels::tail_of_series<1, order.value>(step.series, x, [](double a, int k) { return a * k; });
+    });
     return {m.omega + m.omega_lo, slope / (step.unit * step.unit)};
 }
 
 /// The time at which the level is crossed, between two times of the step, by safeguarded Newton iteration: Newton steps
 /// alternate with bisections, and a Newton step that leaves the bracket is replaced by a bisection. After 128 iterations the
 /// ends of the bracket are adjacent doubles.
-double time_of_crossing(const Crossings& search, const TaylorPolynomial& step, double low, double high, double level) noexcept {
-    const bool rises = side_of(search.crossed, motion_at(step, low)) < level;
+double time_of_crossing(const Crossings& search, double low, double high, double level) noexcept {
+    const bool rises = side_of(search.crossed, motion_at(search.run, low)) < level;
     double since = 0.5 * (low + high);
     for (int iteration = 0; iteration < 128; ++iteration) {
-        const auto d = departure(search, step, since, level);
+        const auto d = departure(search, since, level);
         if (d.value == 0) return since;
         ((d.value < 0) == rises ? low : high) = since;
         const double next = since - d.value / d.rate;
-        if (abs(next - since) <= 0x1p-54 * step.length) return since;
+        if (abs(next - since) <= 0x1p-54 * search.run.step.length) return since;
         since = iteration % 2 == 0 && next > low && next < high ? next : 0.5 * (low + high);
     }
     return since;
 }
 
-Sample sample_at(const TaylorPolynomial& step, double since) noexcept {
-    const auto m = motion_at(step, since);
-    return {(DoubleDouble<double>{step.t, step.t_lo} + since).hi, m.theta, m.omega, m.turns};
+Sample sample_at(const Taylor& run, double since) noexcept {
+    const auto m = motion_at(run, since);
+    return {(DoubleDouble<double>{run.step.t, run.step.t_lo} + since).hi, m.theta, m.omega, m.turns};
 }
 
 /// Searches the present part of the step. Returns true and the crossing if the next level is crossed there at a time up to
 /// `until`. If the crossing is later, returns false; if there is none, moves on to the next part and returns false.
-bool crosses(Crossings& search, const TaylorPolynomial& step, double until, Crossing& crossing) noexcept {
-    const double end = search.cuts[search.cut], side = side_of(search.crossed, motion_at(step, end));
+bool crosses(Crossings& search, double until, Crossing& crossing) noexcept {
+    const double end = search.cuts[search.cut], side = side_of(search.crossed, motion_at(search.run, end));
     const bool is_even = side == 2 * round_even(0.5 * side);
     if (search.side != 0 && abs(side - search.side) > 1) {
         const bool is_rising = side > search.side;
         const double level = search.side + (is_rising ? 1 : -1);
         const double start = search.cut == 0 ? 0 : search.cuts[search.cut - 1];
-        crossing = {search.is_upon ? search.upon : sample_at(step, time_of_crossing(search, step, start, end, level)),
+        crossing = {search.is_upon ? search.upon : sample_at(search.run, time_of_crossing(search, start, end, level)),
                     is_rising};
         if (crossing.sample.t > until) return false;
         search.side += is_rising ? 2 : -2;
         search.is_upon = false;
         return true;
     }
-    if (is_even && !search.is_upon) search.upon = sample_at(step, end);
+    if (is_even && !search.is_upon) search.upon = sample_at(search.run, end);
     search.is_upon = is_even;
     if (!is_even) search.side = side;
     ++search.cut;
@@ -164,7 +166,7 @@ bool next_crossing(Crossings& search, double until, Crossing& crossing, double s
     while (search.run.step.length == search.run.step.length) {
         while (search.cut < search.cut_count) {
             const int cut = search.cut;
-            if (crosses(search, search.run.step, until, crossing)) return true;
+            if (crosses(search, until, crossing)) return true;
             if (search.cut == cut) return false;  // the next crossing is later than `until`
         }
         if (!needs_step_to(search.run, until) || --step_budget < 0) return false;

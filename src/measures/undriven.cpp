@@ -186,9 +186,12 @@ Estimate velocity_of(const Turn& turn, const Slope& slope) noexcept {
 Fate resting(const Slope& slope, double sign) noexcept {
     Fate fate{.kind = Kind::fixed_point, .end = {sign * atan2(slope.p.torque, slope.curve), 0}, .period = 1};
     set_velocity(fate, {0, 0}, 1);
-    const double half = 0.5 * slope.p.beta, square = half * half - slope.curve;
+    // Where both eigenvalues nearly agree, rounding of the root is their error.
+    const double half = 0.5 * slope.p.beta, root = sqrt(slope.curve), square = (half - root) * (half + root);
     const double exponent = 0 - (square > 0 ? slope.curve / (half + sqrt(square)) : half);
-    set_exponent(fate, {exponent, 0x1p-50 * abs(exponent)}, slope.p);
+    const double noise = 0x1p-51 * (half + root) * half;
+    const double error = square > noise ? noise / sqrt(square) : square > -noise ? 2 * sqrt(noise) : 0;
+    set_exponent(fate, {exponent, error + 0x1p-50 * abs(exponent)}, slope.p);
     return fate;
 }
 

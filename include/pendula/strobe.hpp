@@ -29,7 +29,7 @@ struct Strobe {
     double steps_per_period = 1000;  ///< for method `rk4`; a whole number >= 1
     Method method = Method::taylor;  ///< of the strobe map: `taylor` or `rk4`
     double tolerance = 1e-15;        ///< for method `taylor`, in (0, 1)
-    double budget = 10'000;          ///< periods after which a motion that has not settled is given up; a whole number >= 1
+    double budget = 10000;           ///< periods after which a motion that has not settled is given up; a whole number >= 1
     double phase = 0;                ///< of the drive at the times of the strobe [rad]
     Plane plane = Plane::strobe;     ///< for `section`
     double level = 0;                ///< for `section` by a plane: the value of theta [rad] or omega [rad/s]

@@ -72,7 +72,7 @@ struct EnsembleCall {
         for (int i = 0; i < chunk_size; ++i) own[i] = counts[i] == count ? length[i] : 0;
         if (!rk4_over(m.chunk, start, own, count, false, most, thread, [] {})) return false;
         for (int i = 0; i < m.chunk.count; ++i)
-            if (counts[i] != count) restore_member(m.chunk, before, i);
+            if (counts[i] != count) copy_motion(before, i, m.chunk, i);
         return true;
     }
 

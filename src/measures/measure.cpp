@@ -1,59 +1,60 @@
 #include "pendula/measure.hpp"
 
+#include "arithmetic/pack.hpp"
 #include "checks.hpp"
-#include "measures/strobe.hpp"
-#include "pendula/angle.hpp"
+#include "measures/settle.hpp"
 
 namespace pendula {
 
+using arithmetic::sqrt;
+
 namespace {
 
-/// Records the states at successive strobe times.
-struct SectionObserver {
-    static constexpr bool has_tangent = false;
-    const MeasureCall& call;
+constexpr double log_of_2_to_52 = 0x1.205966f2b4f12p+5;
+constexpr double infinity = __builtin_inf();
 
-    explicit SectionObserver(const MeasureCall& of) noexcept : call(of) {}
+Outcome measure_mean_velocity(const MeasureCall& call, const Control& control) noexcept {
+    const auto put = [&](std::size_t member, const Fate& fate) {
+        call.put(member,
+                 {fate.velocity.value, fate.velocity.error, static_cast<double>(fate.kind), fate.end.theta, fate.end.omega});
+    };
+    return settle(call.ensemble, call.strobe, {}, control, put);
+}
 
-    bool start(const StrobedMembers& m) noexcept { return at_strobe(m, 0); }
-    bool at_strobe(const StrobedMembers& m, double done) noexcept {
-        const auto row = static_cast<std::size_t>(done);
-        for (int i = 0; i < m.chunk.count; ++i) {
-            call.result(0, row, m.number[i]) = m.chunk.motion.theta[i];
-            call.result(1, row, m.number[i]) = m.chunk.motion.omega[i];
-            call.result(2, row, m.number[i]) = m.chunk.motion.turns[i];
-            call.result(3, row, m.number[i]) = __builtin_nan("");
-        }
-        return done + 1 < call.strobe.periods;
-    }
-    void finish(const StrobedMembers&) noexcept {}
-};
+Outcome measure_lyapunov(const MeasureCall& call, const Control& control) noexcept {
+    constexpr std::size_t history = std::size(lyapunov_columns) - 1;
+    const std::size_t rows = rows_of(lyapunov_columns[history], call.strobe);
+    for (std::size_t row = 0; row < rows; ++row)
+        for (std::size_t member = 0; member < call.ensemble.size; ++member) call.result(history, row, member) = nan;
+    const auto put = [&](std::size_t member, const Fate& fate) {
+        const auto [exponent, error] = fate.exponent;
+        const double horizon = !fate.exponent.is_known() ? nan : exponent > 3 * error ? log_of_2_to_52 / exponent : infinity;
+        const double second = -call.ensemble.beta[member] - exponent;
+        call.put(member, {exponent, error, horizon, second, fate.dimension.value, fate.dimension.error,
+                          static_cast<double>(fate.kind), fate.end.theta, fate.end.omega});
+        const bool is_estimated = fate.kind == Kind::chaotic || fate.kind == Kind::quasi_periodic ||
+                                  (fate.kind == Kind::unsettled && is_driven(pendulum_of(call.ensemble, member)));
+        for (std::size_t row = 0; !is_estimated && row < rows; ++row) call.result(history, row, member) = exponent;
+    };
+    return settle(call.ensemble, call.strobe, rows > 0 ? call.columns[history] : std::span<double>(), control, put);
+}
 
-/// Measures the mean velocity from the first and the last state.
-struct MeanVelocityObserver {
-    static constexpr bool has_tangent = false;
-    const MeasureCall& call;
-    kernels::Motion<kernels::Row> first{};
-
-    explicit MeanVelocityObserver(const MeasureCall& of) noexcept : call(of) {}
-
-    bool start(const StrobedMembers& m) noexcept {
-        first = m.chunk.motion;
-        return true;
-    }
-    bool at_strobe(const StrobedMembers&, double) noexcept { return true; }
-    void finish(const StrobedMembers& m) noexcept {
-        const auto& last = m.chunk.motion;
-        for (int i = 0; i < m.chunk.count; ++i) {
-            const double turned = (last.turns[i] - first.turns[i]) + (last.theta[i] - first.theta[i]) / (2 * pi);
-            call.result(0, 0, m.number[i]) = turned / call.strobe.periods * m.frequency[i];
-            call.result(1, 0, m.number[i]) = __builtin_nan("");
-            call.result(2, 0, m.number[i]) = 0;
-            call.result(3, 0, m.number[i]) = last.theta[i];
-            call.result(4, 0, m.number[i]) = last.omega[i];
-        }
-    }
-};
+Outcome measure_orbit(const MeasureCall& call, const Control& control) noexcept {
+    const double units = static_cast<double>(call.ensemble.size);
+    return for_each_piece(call.ensemble.size, units, control, [&](Thread& thread, std::size_t member) {
+        const auto p = pendulum_of(call.ensemble, member);
+        PeriodicOrbit o;
+        constexpr double no_limit = __builtin_inf();
+        if (!refine_within(p, initial_state_of(call.ensemble, member), call.strobe.orbit_period, no_limit, call.strobe, thread,
+                           o))
+            return;
+        const auto found = [&](double x) { return o.is_found ? x : nan; };
+        call.put(member,
+                 {found(o.point.theta), found(o.point.omega), found(o.error), found(o.turns / o.period), found(o.multiplier[0]),
+                  found(o.multiplier[1]), found(o.imaginary), found(o.exponent[0]), found(o.exponent_error)});
+        thread.report(1);
+    });
+}
 
 Refusal check(const Strobe& strobe) noexcept {
     if (strobe.method != Method::rk4 && strobe.method != Method::taylor)
@@ -121,17 +122,25 @@ Outcome measure(Measure what, const Ensemble& ensemble, const Strobe& strobe, co
     if (const auto refusal = check_each(ensemble, check_member)) return refusal;
     switch (what) {
         case Measure::section:
-            return observe<SectionObserver>(call, control);
+            return measure_section(call, control);
         case Measure::mean_velocity:
-            return observe<MeanVelocityObserver>(call, control);
+            return measure_mean_velocity(call, control);
         case Measure::lyapunov:
             return measure_lyapunov(call, control);
         case Measure::attractors:
             return measure_attractors(call, control);
         case Measure::orbit:
-            return {};
+            return measure_orbit(call, control);
     }
     return {};
+}
+
+double share_error(double count, double trials) noexcept {
+    constexpr double z = 1.96;  // 95 % of a normal distribution
+    const double share = count / trials, shrink = 1 + z * z / trials;
+    const double centre = (share + 0.5 * z * z / trials) / shrink;
+    const double half = z * sqrt(share * (1 - share) / trials + 0.25 * z * z / (trials * trials)) / shrink;
+    return half + (centre > share ? centre - share : share - centre);
 }
 
 }  // namespace pendula

@@ -1,6 +1,7 @@
 #include "measures/strobe.hpp"
 
 #include "arithmetic/exponential.hpp"
+#include "kernels/packs.hpp"
 #include "kernels/rk4_kernel.hpp"
 #include "pendula/angle.hpp"
 
@@ -15,7 +16,6 @@ using kernels::Row;
 
 namespace {
 
-constexpr double nan = __builtin_nan("");
 constexpr double two_pi = 2 * pi;
 
 /// Rescales the displacement of member i to length 1, and adds the logarithm of its growth.
@@ -72,7 +72,7 @@ bool take_taylor_steps(StrobedMembers& m, const Row& length, const Propagation& 
         if (!taylor_to(m.chunk, steps, target, run.has_tangent, run.thread)) return false;
         for (int i = 0; i < m.chunk.count; ++i) {
             if (piece >= pieces[i])
-                restore_member(m.chunk, before, i);
+                copy_motion(before, i, m.chunk, i);
             else if (run.has_tangent)
                 renormalise(m, i);
             start[i] = target[i];
@@ -94,7 +94,7 @@ bool integrate(StrobedMembers& m, const Row& length, const Propagation& run) noe
 
 double strobe_frequency(const Pendulum& p) noexcept {
     if (p.drive_frequency > 0) return p.drive_frequency;
-    return !is_driven(p) && p.drive_frequency == 0 ? sqrt(p.alpha) : nan;
+    return !is_driven(p) && p.drive_frequency == 0 ? sqrt(p.alpha) : __builtin_nan("");
 }
 
 double fewest_steps(const Pendulum& p) noexcept {
@@ -111,6 +111,18 @@ void load_strobed(StrobedMembers& m, const Ensemble& ensemble, std::size_t first
         m.root_alpha[i] = sqrt(p.alpha);
         m.growth[i] = 0;
     }
+}
+
+void move_member(StrobedMembers& m, int from, int to) noexcept {
+    if (from == to) return;
+    kernels::store<double, kernels::Parameters>(m.chunk.parameters, to,
+                                                kernels::load<double, kernels::Parameters>(m.chunk.parameters, from));
+    copy_motion(m.chunk, from, m.chunk, to);
+    m.chunk.is_resting[to] = m.chunk.is_resting[from];
+    m.chunk.resting_theta[to] = m.chunk.resting_theta[from];
+    m.chunk.resting_turns[to] = m.chunk.resting_turns[from];
+    m.number[to] = m.number[from];
+    for (Row* row : {&m.frequency, &m.period, &m.root_alpha, &m.growth}) (*row)[to] = (*row)[from];
 }
 
 bool integrate_to_first_strobe(StrobedMembers& m, const Propagation& run) noexcept {

@@ -12,7 +12,8 @@ import sys
 
 import truths_chaotic
 import truths_driven
-from truths_undriven import conservative, homoclinic_torque, overdamped, renamed, resting, rotating, torqued
+from true_motions import parameters
+from truths_undriven import Truth, conservative, homoclinic_torque, overdamped, resting, rotating, torqued
 
 HEAD = """\
 # theta0 omega0 alpha beta torque drive_amplitude pivot_amplitude drive_frequency drive_phase: shortest decimals of the doubles
@@ -22,7 +23,30 @@ HEAD = """\
 
 def fixed_points():
     for alpha, beta in (
-        *((1, b) for b in (0.01, 0.05, 0.1, 0.2, 0.5, 1, 1.9, 1.999999, 2, 2.000001, 2.5, 5, 10, 30, 100, 300, 1000)),
+        *(
+            (1, b)
+            for b in (
+                0.01,
+                0.05,
+                0.1,
+                0.2,
+                0.5,
+                1,
+                1.9,
+                1.999999,
+                2 - 1e-9,
+                2,
+                2 + 1e-12,
+                2.000001,
+                2.5,
+                5,
+                10,
+                30,
+                100,
+                300,
+                1000,
+            )
+        ),
         *((0.25, b) for b in (0.02, 0.3, 1, 4)),
         *((9.81, b) for b in (0.05, 0.5, 6, 40)),
     ):
@@ -34,7 +58,17 @@ def fixed_points():
     yield resting("fixed_point", (0.0, -100.0), beta=0.5)
     yield resting("fixed_point", (1e-9, 0.0), beta=0.5)
     yield resting("fixed_point", (0.0, 0.0), beta=0.5)
-    for torque, beta in ((0.1, 0.01), (0.5, 0.1), (-0.5, 0.5), (0.9, 0.7), (0.99, 1.5), (-0.9, 2), (0.7, 5), (0.999, 20), (0.3, 100)):
+    for torque, beta in (
+        (0.1, 0.01),
+        (0.5, 0.1),
+        (-0.5, 0.5),
+        (0.9, 0.7),
+        (0.99, 1.5),
+        (-0.9, 2),
+        (0.7, 5),
+        (0.999, 20),
+        (0.3, 100),
+    ):
         yield resting("fixed_point", (0.3, 0.0), beta=beta, torque=torque)
     yield resting("fixed_point", (0.0, 30.0), beta=0.9, torque=0.6)
     yield resting("fixed_point", (0.0, -8.0), beta=1.4, torque=0.8)
@@ -45,17 +79,38 @@ def rotations():
     for beta in (0.001, 0.01, 0.1, 0.3, 0.7, 1, 1.5, 2, 3):
         for torque in (1.1, -2.5) if beta > 0.01 else (1.1, 0.05):
             yield rotating("rotating", (0.0, math.copysign(max(3.0, abs(torque) / beta), torque)), beta=beta, torque=torque)
-    for beta, torque in ((0.02, 0.1), (0.05, 0.2), (0.1, 0.15), (0.1, 0.5), (0.2, 0.3), (0.3, 0.5), (-0.5, 0.7), (0.7, 0.85), (0.9, 0.97)):
+    for beta, torque in (
+        (0.02, 0.1),
+        (0.05, 0.2),
+        (0.1, 0.15),
+        (0.1, 0.5),
+        (0.2, 0.3),
+        (0.3, 0.5),
+        (-0.5, 0.7),
+        (0.7, 0.85),
+        (0.9, 0.97),
+    ):
         sense = math.copysign(1.0, beta)  # here of the torque
         yield rotating("rotating", (0.5, sense * 6.0), beta=abs(beta), torque=sense * torque)
-    for beta, torque in ((5, 1.05), (10, 1.5), (10, -20), (30, 2), (100, 1.01), (100, 50), (300, 1.2), (1000, 1.5), (1000, 30), (1000, 1.001)):
-        yield renamed("rotating", overdamped_either("rotating", (0.2, 0.0), beta, torque))
+    for beta, torque in (
+        (5, 1.05),
+        (10, 1.5),
+        (10, -20),
+        (30, 2),
+        (100, 1.01),
+        (100, 50),
+        (300, 1.2),
+        (1000, 1.5),
+        (1000, 30),
+        (1000, 1.001),
+    ):
+        yield overdamped_either((0.2, 0.0), beta, torque)
     for alpha, beta, torque in ((9.81, 0.5, 12), (0.25, 0.1, 0.3), (9.81, 2, 11), (1e-3, 0.2, 0.5), (100, 3, 150)):
         yield rotating("rotating", (-1.0, torque / beta), alpha=alpha, beta=beta, torque=torque)
 
 
-def overdamped_either(group, start, beta, torque):
-    truth = overdamped(group, start, beta=beta, torque=abs(torque))
+def overdamped_either(start, beta, torque):
+    truth = overdamped("rotating", start, beta=beta, torque=abs(torque))
     truth.pendulum = (*truth.pendulum[:2], torque, *truth.pendulum[3:])
     truth.velocity = math.copysign(truth.velocity, torque)
     return truth
@@ -63,7 +118,16 @@ def overdamped_either(group, start, beta, torque):
 
 def conservatives():
     for alpha in (1.0, 9.81, 0.25):
-        for theta, omega in ((0.0, 2.5), (0.3, -3.0), (1.0, 10.0), (3.0, 0.5), (0.5, 0.0), (2.0, 0.3), (3.14159, 0.0), (1e-6, 0.0)):
+        for theta, omega in (
+            (0.0, 2.5),
+            (0.3, -3.0),
+            (1.0, 10.0),
+            (3.0, 0.5),
+            (0.5, 0.0),
+            (2.0, 0.3),
+            (3.14159, 0.0),
+            (1e-6, 0.0),
+        ):
             yield conservative("conservative", (theta, omega * math.sqrt(alpha)), alpha)
     for sign in (1, -1):
         for change in (1e-4, 1e-8, 1e-12, -1e-4, -1e-8, -1e-12):
@@ -73,7 +137,7 @@ def conservatives():
     yield conservative("conservative", (0.0, 0.0), 1.0)
     for torque, theta in ((0.1, 0.5), (0.5, 0.6), (0.9, 1.2), (-0.3, 0.0), (0.0001, 2.0), (-0.7, -0.5)):
         yield torqued("conservative", (theta, 0.0), torque=torque)
-    for torque, omega in ((0.1, 3.0), (1.5, 0.0), (-2.0, 1.0), (0.5, -3.0)):
+    for torque, omega in ((0.1, 3.0), (1.5, 0.0), (-2.0, 1.0), (0.5, -3.0), (1.01, -6.0), (-0.2, 0.0)):
         yield torqued("conservative", (0.0, omega), torque=torque)
 
 
@@ -90,6 +154,8 @@ def near_saddle_nodes():
         for power in (4, 7, 10):
             yield rotating("near_saddle_node", (0.0, 4.0), beta=beta, torque=edge + 10.0**-power)
         yield resting("near_saddle_node", (0.0, 4.0), beta=beta, torque=edge - 1e-6)
+    for beta in (2, 5):  # torque = alpha: theta creeps up to pi/2, below the line omega = beta/2 (pi/2 - theta)
+        yield Truth("near_saddle_node", (1.0, 0.0), parameters(beta=beta, torque=1), 0.0, 0.0, 0.0, 0.0, "fixed_point")
     for beta, power in ((0.5, 4), (0.5, 8), (1.5, 4), (1.5, 6), (3, 8), (10, 4), (30, 4)):
         yield resting("near_saddle_node", (1.5, 0.0), beta=beta, torque=1 - 10.0**-power)
 

@@ -24,7 +24,9 @@ NODES, WEIGHTS, LAST = (np.ascontiguousarray(x, dtype=float) for x in (dop853.C[
 def _compiled():
     folder = Path(tempfile.mkdtemp())
     options = ["-O3", "-march=native", "-ffast-math", "-mprefer-vector-width=512", "-shared", "-fPIC"]
-    subprocess.run(["gcc", *options, str(Path(__file__).with_suffix(".c")), "-o", str(folder / "motions.so"), "-lm"], check=True)
+    subprocess.run(
+        ["gcc", *options, str(Path(__file__).with_suffix(".c")), "-o", str(folder / "motions.so"), "-lm"], check=True
+    )
     return ctypes.CDLL(str(folder / "motions.so"))
 
 

@@ -8,9 +8,15 @@ from truths_undriven import Truth
 
 STARTS, PERIODS, TRANSIENT, BLOCK = 64, 4000, 400, 250
 
-CLASSIC = [dict(beta=0.5, drive_amplitude=g, drive_frequency=2 / 3) for g in (1.15, 1.16, 1.18, 1.2, 1.22, 1.24, 1.48, 1.49, 1.495, 1.5, 1.52)]
+CLASSIC = [
+    dict(beta=0.5, drive_amplitude=g, drive_frequency=2 / 3)
+    for g in (1.15, 1.16, 1.18, 1.2, 1.22, 1.24, 1.48, 1.49, 1.495, 1.5, 1.52)
+]
 WEAKER = [dict(beta=b, drive_amplitude=g, drive_frequency=2 / 3) for b in (0.2, 0.25, 0.3) for g in (1.2, 1.35, 1.5, 1.65)]
-GREBOGI = [dict(beta=b, drive_amplitude=g, drive_frequency=1.0) for b, g in ((0.1, 2.0), (0.1, 2.2), (0.22, 2.7), (0.1, 1.8), (0.15, 2.4))]
+GREBOGI = [
+    dict(beta=b, drive_amplitude=g, drive_frequency=1.0)
+    for b, g in ((0.1, 2.0), (0.1, 2.2), (0.22, 2.7), (0.1, 1.8), (0.15, 2.4))
+]
 JUNCTIONS = [  # in units of the plasma frequency: Kautz & Monaco, J. Appl. Phys. 57 (1985), and near
     dict(beta=b, torque=m, drive_amplitude=g, drive_frequency=w)
     for b, g, w in ((0.2, 1.0, 0.6), (0.25, 1.2, 0.65), (0.4, 1.1, 0.6), (0.3, 1.5, 0.5), (0.5, 1.5, 0.6))
@@ -18,7 +24,14 @@ JUNCTIONS = [  # in units of the plasma frequency: Kautz & Monaco, J. Appl. Phys
 ]
 SHAKEN = [
     dict(beta=b, pivot_amplitude=q, drive_frequency=w, torque=m)
-    for b, q, w, m in ((0.1, 1.5, 1.8, 0.0), (0.1, 2.0, 2.0, 0.0), (0.2, 1.4, 1.8, 0.1), (0.1, 1.2, 0.7, 0.05), (0.15, 2.5, 2.0, 0.0), (0.05, 1.0, 1.6, 0.0))
+    for b, q, w, m in (
+        (0.1, 1.5, 1.8, 0.0),
+        (0.1, 2.0, 2.0, 0.0),
+        (0.2, 1.4, 1.8, 0.1),
+        (0.1, 1.2, 0.7, 0.05),
+        (0.15, 2.5, 2.0, 0.0),
+        (0.05, 1.0, 1.6, 0.0),
+    )
 ]
 
 
@@ -47,7 +60,9 @@ def sampled(p):
             return None
         velocity = velocity_error = 0.0
     start = ends[wild][0][:2]
-    return Truth("chaotic", (float(start[0]), float(start[1])), p, velocity, velocity_error, exponent, exponent_error, "chaotic")
+    return Truth(
+        "chaotic", (float(start[0]), float(start[1])), p, velocity, velocity_error, exponent, exponent_error, "chaotic"
+    )
 
 
 def is_one(means):

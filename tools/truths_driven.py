@@ -88,27 +88,60 @@ def grid(starts, phase=0.0, **axes):
 FAMILIES = {
     "classic": lambda: grid(
         [(0.2, 0.0), (-2.0, 0.5)],
-        beta=[0.5], drive_amplitude=[0.3, 0.7, 0.9, 1.0, 1.04, 1.07, 1.072, 1.08, 1.1, 1.13, 1.35, 1.36, 1.42, 1.45, 1.46, 1.47], drive_frequency=[2 / 3],
+        beta=[0.5],
+        drive_amplitude=[0.3, 0.7, 0.9, 1.0, 1.04, 1.07, 1.072, 1.08, 1.1, 1.13, 1.35, 1.36, 1.42, 1.45, 1.46, 1.47],
+        drive_frequency=[2 / 3],
     ),
     "doubled": lambda: grid(
         [(0.2, 0.0)], beta=[0.25, 0.375], drive_amplitude=np.round(np.linspace(0.7, 1.6, 25), 4), drive_frequency=[2 / 3]
     ),
-    "triple": lambda: grid([(-2.0, 1.0), (1.0, 2.0), (2.5, -2.0)], beta=[0.2], drive_amplitude=[1.3636363636363635, 1.6], drive_frequency=[0.5, 0.6]),
+    "triple": lambda: grid(
+        [(-2.0, 1.0), (1.0, 2.0), (2.5, -2.0)],
+        beta=[0.2],
+        drive_amplitude=[1.3636363636363635, 1.6],
+        drive_frequency=[0.5, 0.6],
+    ),
     "Shapiro": lambda: grid(
-        [(0.0, 0.0)], 0.5, beta=[0.7, 1.0, 1.5], torque=np.round(np.linspace(-0.3, 2.7, 16), 3), drive_amplitude=[1.0, 2.5], drive_frequency=[0.7, 1.0]
+        [(0.0, 0.0)],
+        0.5,
+        beta=[0.7, 1.0, 1.5],
+        torque=np.round(np.linspace(-0.3, 2.7, 16), 3),
+        drive_amplitude=[1.0, 2.5],
+        drive_frequency=[0.7, 1.0],
     ),
     "viscous": lambda: grid(
-        [(1.0, 0.0)], -2.0, beta=[8.0, 30.0, 100.0], torque=[0.0, 0.5, 0.9, 1.8], drive_amplitude=[3.0, 20.0], drive_frequency=[0.5, 1.0]
+        [(1.0, 0.0)],
+        -2.0,
+        beta=[8.0, 30.0, 100.0],
+        torque=[0.0, 0.5, 0.9, 1.8],
+        drive_amplitude=[3.0, 20.0],
+        drive_frequency=[0.5, 1.0],
     ),
     "weak": lambda: grid(
-        [(0.1, 0.0), (2.0, 0.0), (0.0, 2.5)], beta=[0.02], drive_amplitude=[0.05, 0.2, 0.4], drive_frequency=[0.6, 0.9, 1.1, 2.0]
+        [(0.1, 0.0), (2.0, 0.0), (0.0, 2.5)],
+        beta=[0.02],
+        drive_amplitude=[0.05, 0.2, 0.4],
+        drive_frequency=[0.6, 0.9, 1.1, 2.0],
     ),
-    "Kapitza": lambda: grid([(3.0, 0.0), (0.5, 0.1)], beta=[0.1, 0.5], pivot_amplitude=[30.0, 60.0, 120.0], drive_frequency=[20.0]),
+    "Kapitza": lambda: grid(
+        [(3.0, 0.0), (0.5, 0.1)], beta=[0.1, 0.5], pivot_amplitude=[30.0, 60.0, 120.0], drive_frequency=[20.0]
+    ),
     "parametric": lambda: grid(
-        [(1.0, 0.5), (0.5, 2.2), (0.1, -2.0)], 0.25, beta=[0.1, 0.3], pivot_amplitude=[0.4, 0.8, 1.5, 3.0], drive_frequency=[1.5, 2.0, 2.4]
+        [(1.0, 0.5), (0.5, 2.2), (0.1, -2.0)],
+        0.25,
+        beta=[0.1, 0.3],
+        pivot_amplitude=[0.4, 0.8, 1.5, 3.0],
+        drive_frequency=[1.5, 2.0, 2.4],
     ),
     "everything": lambda: grid(
-        [(0.5, -1.0)], 0.75, alpha=[2.0], beta=[0.3, 0.6], torque=[0.5, -0.9], drive_amplitude=[1.25], pivot_amplitude=[-1.5, 0.7], drive_frequency=[1.2, 3.0]
+        [(0.5, -1.0)],
+        0.75,
+        alpha=[2.0],
+        beta=[0.3, 0.6],
+        torque=[0.5, -0.9],
+        drive_amplitude=[1.25],
+        pivot_amplitude=[-1.5, 0.7],
+        drive_frequency=[1.2, 3.0],
     ),
 }
 
@@ -201,8 +234,13 @@ DAMPED = [
     (beta, torque, drive, frequency, pivot)
     for beta in (0.5, 1.0, 2.0, 5.0)
     for torque, drive, frequency, pivot in (
-        (beta * 2.2361, 1.0, 0.7, 0.0), (beta * -3.1623, 2.5, 1.0, 0.0), (1.9 + beta, 0.4, 1.6180339887498949, 0.0),
-        (beta * 4.1231, 0.7, 0.9, 0.3), (beta * 1.7321 + 1, 3.0, 2.3, 0.0), (beta * 5.4772, 0.0, 2.0, 1.5), (2.6 * beta, 6.0, 4.3, 0.0),
+        (beta * 2.2361, 1.0, 0.7, 0.0),
+        (beta * -3.1623, 2.5, 1.0, 0.0),
+        (1.9 + beta, 0.4, 1.6180339887498949, 0.0),
+        (beta * 4.1231, 0.7, 0.9, 0.3),
+        (beta * 1.7321 + 1, 3.0, 2.3, 0.0),
+        (beta * 5.4772, 0.0, 2.0, 1.5),
+        (2.6 * beta, 6.0, 4.3, 0.0),
     )
 ]
 FREE = [
@@ -214,7 +252,10 @@ FREE = [
 
 def quasi_periodic(periods=8000, transient=1000):
     """Curves, far from ratios of small whole numbers, whose means converge to 9 digits; the errors are differences of runs."""
-    damped = [((0.3, 0.0), parameters(beta=b, torque=m, drive_amplitude=g, drive_frequency=w, pivot_amplitude=q)) for b, m, g, w, q in DAMPED]
+    damped = [
+        ((0.3, 0.0), parameters(beta=b, torque=m, drive_amplitude=g, drive_frequency=w, pivot_amplitude=q))
+        for b, m, g, w, q in DAMPED
+    ]
     free = [(s, parameters(drive_amplitude=g, pivot_amplitude=q, drive_frequency=w)) for s, g, q, w in FREE]
     problems = damped + free
     rates, growths, advances = rotation(problems, periods, transient)

@@ -1,7 +1,7 @@
 """Long-time truths of undriven pendulums, for tools/make_truths.py: rest, limit cycles, conservative motions."""
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 from flint import arb, arb_mat, ctx
@@ -129,21 +129,30 @@ def collocated(p, modes):
     count = 2 * modes + 1
     angles = [2 * arb.pi() * j / count for j in range(count)]
     slopes = [arb(0)] + [(-1) ** j / (2 * (arb.pi() * j / count).sin()) for j in range(1, count)]
-    derivative = [[slopes[j - k] if j > k else (-slopes[k - j] if k > j else arb(0)) for k in range(count)] for j in range(count)]
+    derivative = [
+        [slopes[j - k] if j > k else (-slopes[k - j] if k > j else arb(0)) for k in range(count)] for j in range(count)
+    ]
     force = [torque - alpha * a.sin() for a in angles]
     omega = [f / beta for f in force]
     for _ in range(30):
         slope = [sum((d * w for d, w in zip(row, omega, strict=True)), arb(0)) for row in derivative]
         rest = [w * s + beta * w - f for w, s, f in zip(omega, slope, force, strict=True)]
         matrix = arb_mat(
-            [[w * d + (s + beta if j == k else 0) for k, d in enumerate(row)] for j, (row, w, s) in enumerate(zip(derivative, omega, slope, strict=True))]
+            [
+                [w * d + (s + beta if j == k else 0) for k, d in enumerate(row)]
+                for j, (row, w, s) in enumerate(zip(derivative, omega, slope, strict=True))
+            ]
         )
         change = matrix.solve(arb_mat([[r] for r in rest]), algorithm="approx")
         omega = [(w - change[j, 0]).mid() for j, w in enumerate(omega)]
         if max(abs(float(change[j, 0])) for j in range(count)) < 1e-45:
             break
-    cosines = [sum((w * (m * a).cos() for w, a in zip(omega, angles, strict=True)), arb(0)).mid() * 2 / count for m in range(modes + 1)]
-    sines = [sum((w * (m * a).sin() for w, a in zip(omega, angles, strict=True)), arb(0)).mid() * 2 / count for m in range(modes + 1)]
+    cosines = [
+        sum((w * (m * a).cos() for w, a in zip(omega, angles, strict=True)), arb(0)).mid() * 2 / count for m in range(modes + 1)
+    ]
+    sines = [
+        sum((w * (m * a).sin() for w, a in zip(omega, angles, strict=True)), arb(0)).mid() * 2 / count for m in range(modes + 1)
+    ]
     cosines[0] /= 2
 
     def speed(theta):
@@ -221,7 +230,3 @@ def torqued(group, start, **given):
     if abs(p[2]) < p[0] and is_trapped(p, start):
         return Truth(group, start, p, 0.0, 0.0, 0.0, 0.0, "conservative")
     return Truth(group, start, p, math.nan, math.nan, 0.0, 0.0, "unbounded")
-
-
-def renamed(group, truth):
-    return replace(truth, group=group)

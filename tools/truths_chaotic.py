@@ -9,21 +9,25 @@ from truths_undriven import Truth
 STARTS, PERIODS, TRANSIENT, BLOCK = 64, 4000, 400, 250
 
 CLASSIC = [
-    dict(beta=0.5, drive_amplitude=g, drive_frequency=2 / 3)
-    for g in (1.15, 1.16, 1.18, 1.2, 1.22, 1.24, 1.48, 1.49, 1.495, 1.5, 1.52)
+    {"beta": 0.5, "drive_amplitude": g, "drive_frequency": 2 / 3}
+    for g in (1.15, 1.16, 1.17, 1.18, 1.19, 1.2, 1.21, 1.22, 1.23, 1.24, 1.48, 1.49, 1.495, 1.5, 1.52)
 ]
-WEAKER = [dict(beta=b, drive_amplitude=g, drive_frequency=2 / 3) for b in (0.2, 0.25, 0.3) for g in (1.2, 1.35, 1.5, 1.65)]
+WEAKER = [
+    {"beta": b, "drive_amplitude": g, "drive_frequency": 2 / 3}
+    for b in (0.2, 0.25, 0.3)
+    for g in (1.2, 1.3, 1.35, 1.4, 1.5, 1.55, 1.6, 1.65)
+]
 GREBOGI = [
-    dict(beta=b, drive_amplitude=g, drive_frequency=1.0)
+    {"beta": b, "drive_amplitude": g, "drive_frequency": 1.0}
     for b, g in ((0.1, 2.0), (0.1, 2.2), (0.22, 2.7), (0.1, 1.8), (0.15, 2.4))
 ]
 JUNCTIONS = [  # in units of the plasma frequency: Kautz & Monaco, J. Appl. Phys. 57 (1985), and near
-    dict(beta=b, torque=m, drive_amplitude=g, drive_frequency=w)
+    {"beta": b, "torque": m, "drive_amplitude": g, "drive_frequency": w}
     for b, g, w in ((0.2, 1.0, 0.6), (0.25, 1.2, 0.65), (0.4, 1.1, 0.6), (0.3, 1.5, 0.5), (0.5, 1.5, 0.6))
     for m in (0.03, 0.1, -0.25, 0.4, 0.55)
 ]
 SHAKEN = [
-    dict(beta=b, pivot_amplitude=q, drive_frequency=w, torque=m)
+    {"beta": b, "pivot_amplitude": q, "drive_frequency": w, "torque": m}
     for b, q, w, m in (
         (0.1, 1.5, 1.8, 0.0),
         (0.1, 2.0, 2.0, 0.0),
@@ -51,8 +55,9 @@ def sampled(p):
     rate = p[FREQUENCY] / (2 * math.pi)
     exponents, velocities = ((rate * x).reshape(STARTS, -1, BLOCK).mean(axis=2) for x in (growth, advance))
     wild = exponents.mean(axis=1) > 0.01
-    settles = (exponents[wild][:, -2:].mean(axis=1) < 0.3 * exponents[wild].mean()).any()
-    if wild.sum() < 32 or settles or not (is_one(exponents[wild]) and is_one(velocities[wild])):
+    if wild.sum() < STARTS // 2 or (exponents[wild][:, -2:].mean(axis=1) < 0.3 * exponents[wild].mean()).any():
+        return None
+    if not (is_one(exponents[wild]) and is_one(velocities[wild])):
         return None
     (exponent, exponent_error), (velocity, velocity_error) = mean(exponents[wild]), mean(velocities[wild])
     if p[2] == 0:  # theta -> -theta half a period later is a symmetry, also of this attractor

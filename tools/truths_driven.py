@@ -168,13 +168,13 @@ def locked(most=9):
 
 
 SEEDS = [  # an orbit, the parameter that moves, its step, and the multipliers to come near to
-    (dict(beta=0.5, drive_amplitude=1.06, drive_frequency=2 / 3), "drive_amplitude", 0.001, (-0.9, -0.99, -0.999)),
-    (dict(beta=0.5, drive_amplitude=1.07, drive_frequency=2 / 3), "drive_amplitude", 0.0005, (-0.9, -0.99, -0.999)),
-    (dict(beta=0.5, drive_amplitude=0.9, drive_frequency=2 / 3), "drive_amplitude", 0.002, (0.9, 0.99, 0.999)),
-    (dict(beta=1.0, torque=0.9, drive_amplitude=1.0, drive_frequency=0.7), "torque", 0.002, (0.9, 0.99, 0.999)),
-    (dict(beta=1.0, torque=0.9, drive_amplitude=1.0, drive_frequency=0.7), "torque", -0.002, (0.9, 0.99, 0.999)),
-    (dict(beta=10.0, torque=0.5, drive_amplitude=3.0, drive_frequency=0.2), "torque", 0.002, (0.9, 0.99, 0.999)),
-    (dict(beta=0.2, pivot_amplitude=1.0, drive_frequency=2.0), "pivot_amplitude", -0.002, (0.9, 0.99, 0.999)),
+    ({"beta": 0.5, "drive_amplitude": 1.06, "drive_frequency": 2 / 3}, "drive_amplitude", 0.001, (-0.9, -0.99, -0.999)),
+    ({"beta": 0.5, "drive_amplitude": 1.07, "drive_frequency": 2 / 3}, "drive_amplitude", 0.0005, (-0.9, -0.99, -0.999)),
+    ({"beta": 0.5, "drive_amplitude": 0.9, "drive_frequency": 2 / 3}, "drive_amplitude", 0.002, (0.9, 0.99, 0.999)),
+    ({"beta": 1.0, "torque": 0.9, "drive_amplitude": 1.0, "drive_frequency": 0.7}, "torque", 0.002, (0.9, 0.99, 0.999)),
+    ({"beta": 1.0, "torque": 0.9, "drive_amplitude": 1.0, "drive_frequency": 0.7}, "torque", -0.002, (0.9, 0.99, 0.999)),
+    ({"beta": 10.0, "torque": 0.5, "drive_amplitude": 3.0, "drive_frequency": 0.2}, "torque", 0.002, (0.9, 0.99, 0.999)),
+    ({"beta": 0.2, "pivot_amplitude": 1.0, "drive_frequency": 2.0}, "pivot_amplitude", -0.002, (0.9, 0.99, 0.999)),
 ]
 
 

@@ -1,5 +1,6 @@
 """Long-time truths of undriven pendulums, for tools/make_truths.py: rest, limit cycles, conservative motions."""
 
+import itertools
 import math
 from dataclasses import dataclass
 
@@ -171,7 +172,7 @@ def graded_integral(f, centre, width, points=40):
     ends = [arb(width) * 2**k for k in range(-3, 60) if width * 2**k < 3]
     ends = [arb(0), *ends, arb.pi()]
     total = arb(0)
-    for low, high in zip(ends, ends[1:], strict=False):
+    for low, high in itertools.pairwise(ends):
         for sense in (-1, 1):
             for node, weight in rule:
                 x = ((low + high) / 2 + (high - low) / 2 * node).mid()

@@ -85,7 +85,7 @@ class SectionArguments(PendulumArguments, total=False):
     periods: int
     """measured periods; 100 if left out."""
     budget: int
-    """periods after which a motion that has not settled is given up; 5000 if left out."""
+    """periods after which a motion that has not settled is given up; 10000 if left out."""
     steps_per_period: int
     """steps of rk4 in a period; 1000 if left out."""
     tolerance: float
@@ -114,7 +114,7 @@ class MeanVelocityArguments(PendulumArguments, total=False):
     periods: int
     """measured periods; 400 if left out."""
     budget: int
-    """periods after which a motion that has not settled is given up; 5000 if left out."""
+    """periods after which a motion that has not settled is given up; 10000 if left out."""
     steps_per_period: int
     """steps of rk4 in a period; 1000 if left out."""
     tolerance: float
@@ -139,7 +139,7 @@ class LyapunovArguments(PendulumArguments, total=False):
     periods: int
     """measured periods; 1000 if left out."""
     budget: int
-    """periods after which a motion that has not settled is given up; 5000 if left out."""
+    """periods after which a motion that has not settled is given up; 10000 if left out."""
     steps_per_period: int
     """steps of rk4 in a period; 1000 if left out."""
     tolerance: float
@@ -166,7 +166,7 @@ class AttractorsArguments(PendulumArguments, total=False):
     periods: int
     """measured periods; 400 if left out."""
     budget: int
-    """periods after which a motion that has not settled is given up; 5000 if left out."""
+    """periods after which a motion that has not settled is given up; 10000 if left out."""
     steps_per_period: int
     """steps of rk4 in a period; 1000 if left out."""
     tolerance: float
@@ -208,7 +208,7 @@ class JumpsArguments(PendulumArguments, total=False):
     periods: int
     """measured periods; 400 if left out."""
     budget: int
-    """periods after which a motion that has not settled is given up; 5000 if left out."""
+    """periods after which a motion that has not settled is given up; 10000 if left out."""
     steps_per_period: int
     """steps of rk4 in a period; 1000 if left out."""
     tolerance: float

@@ -124,5 +124,6 @@ NB_MODULE(_core, module) {
     define_parameters(module);
     define_closed_form(module);
     define_solve(module);
+    define_crossings(module);
     define_measures(module);
 }

@@ -221,6 +221,44 @@ def solve(
     float | numpy.typing.NDArray[numpy.float64] | None,
     tuple[float | numpy.typing.NDArray[numpy.float64], ...],
 ]: ...
+def crossings(
+    *,
+    until: numpy.typing.ArrayLike | None,
+    of: str | None = "theta",
+    at: numpy.typing.ArrayLike | None = 0.0,
+    direction: str | None = "both",
+    tolerance: float | None = 1e-15,
+    threads: int | None = None,
+    theta0: numpy.typing.ArrayLike | None = 0.0,
+    omega0: numpy.typing.ArrayLike | None = 0.0,
+    alpha: numpy.typing.ArrayLike | None = 1.0,
+    beta: numpy.typing.ArrayLike | None = 0.0,
+    torque: numpy.typing.ArrayLike | None = 0.0,
+    drive_amplitude: numpy.typing.ArrayLike | None = 0.0,
+    pivot_amplitude: numpy.typing.ArrayLike | None = 0.0,
+    drive_frequency: numpy.typing.ArrayLike | None = 0.0,
+    drive_phase: numpy.typing.ArrayLike | None = 0.0,
+) -> tuple[
+    numpy.typing.NDArray[numpy.float64],
+    numpy.typing.NDArray[numpy.float64],
+    numpy.typing.NDArray[numpy.float64],
+    numpy.typing.NDArray[numpy.float64],
+]: ...
+def measured_period(
+    *,
+    until: numpy.typing.ArrayLike | None,
+    tolerance: float | None = 1e-15,
+    threads: int | None = None,
+    theta0: numpy.typing.ArrayLike | None = 0.0,
+    omega0: numpy.typing.ArrayLike | None = 0.0,
+    alpha: numpy.typing.ArrayLike | None = 1.0,
+    beta: numpy.typing.ArrayLike | None = 0.0,
+    torque: numpy.typing.ArrayLike | None = 0.0,
+    drive_amplitude: numpy.typing.ArrayLike | None = 0.0,
+    pivot_amplitude: numpy.typing.ArrayLike | None = 0.0,
+    drive_frequency: numpy.typing.ArrayLike | None = 0.0,
+    drive_phase: numpy.typing.ArrayLike | None = 0.0,
+) -> numpy.typing.NDArray[numpy.float64]: ...
 
 class Kind(enum.IntEnum):
     """

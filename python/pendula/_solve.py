@@ -36,9 +36,11 @@ def solve(
     {parameters}
     They broadcast; a pendulum's bits depend on its own values only, and are those of the program.
 
-    The times [s] are `t`, one axis from 0 or later, evenly spaced (any for `exact`); or from 0 to `until`, one each `every`.
-    Left out, they are the program's: 1 and 0.02 of the characteristic time. dt [s], positive: the longest step, 0.0001 of it
-    where left out. taylor chooses its own and exact has none: there a dt has to be legal, and changes nothing.
+    The times [s] are `t`, one axis of times that do not decrease, from 0 on (of any sign and order for `exact`); or from 0 to
+    `until`, one each `every`. Left out, they are the program's: 1 and 0.02 of the characteristic time. Times that are evenly
+    spaced, but for rounding, become t[0] + j every; others are taken as they are. dt [s], positive: the longest step, 0.0001 of
+    the characteristic time where left out; equal steps lead from each time to the next. taylor chooses its own and exact has
+    none: there a dt has to be legal, and changes nothing.
 
     method: rk4, euler; verlet (no friction); taylor, to `tolerance` in (0, 1); exact, the closed form (no friction or forcing).
     threads: at most so many, from 1 to 256; as many as there are processors where left out.

@@ -17,7 +17,7 @@ struct SectionCall {
         call.result(3, row, member) = s.t;
     }
 
-    /// The state of place i of a chunk at strobe number n.
+    /// The state of place i of a chunk, which has come to strobe number n.
     static Sample state_at(const StrobedMembers& m, int i, double n) noexcept {
         const auto& motion = m.chunk.motion;
         return {time_of_strobe(m, i, n), motion.theta[i], motion.omega[i], motion.turns[i]};
@@ -37,7 +37,7 @@ struct SectionCall {
         return {s.plane == Plane::omega ? Crossed::omega : Crossed::theta, s.level, s.direction};
     }
 
-    /// The crossings of one member after the strobe at which it is. Returns how many were found.
+    /// Finds the crossings of one member after the transient, at whose end it is. Returns how many were found.
     std::size_t crossings(const StrobedMembers& m, int i, Thread& thread) const noexcept {
         constexpr double steps_between_looks = 256;
         const auto start = state_at(m, i, call.strobe.transient);
@@ -92,7 +92,7 @@ Outcome measure_section(const MeasureCall& call, const Control& control) noexcep
         const Propagation run{strobe, thread, false};
         StrobedMembers m;
         load_strobed(m, call.ensemble, chunk * kernels::chunk_size);
-        if (!integrate_to_first_strobe(m, run)) return;
+        if (strobe.plane == Plane::strobe && !integrate_to_first_strobe(m, run)) return;  // else the transient begins at t = 0
         for (double n = 0; n < strobe.transient; ++n) {
             if (!integrate_to_next_strobe(m, run)) return;
             thread.report(m.chunk.count);

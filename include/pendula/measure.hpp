@@ -255,7 +255,8 @@ class Results {
 /// setting or the length of a result is not legal.
 ///
 /// *section*: theta in [-pi, pi) [rad], omega [rad/s], whole turns and the time [s]: at the times t_n, or at the successive
-/// crossings of a plane after the transient. Rows of crossings that do not come within the budget are NaN.
+/// crossings of a plane (crossings.hpp) after the transient, which begins at t = 0 then. Rows of crossings that do not come
+/// within `budget` periods after the transient are NaN. A plane needs method `taylor`.
 ///
 /// The other measures follow each motion until its kind is known (`Kind`, docs/measures.md), or for the transient and the
 /// measured periods, and further up to the budget if these do not decide. Their numbers follow from the kind:

@@ -1,6 +1,7 @@
 // How long-time measures sample their trajectories, and how long they go on.
 #pragma once
 
+#include "pendula/crossings.hpp"
 #include "pendula/solve.hpp"
 
 namespace pendula {
@@ -9,10 +10,6 @@ namespace pendula {
 /// given value.
 enum class Plane { strobe, theta, omega };
 inline constexpr const char* plane_names[] = {"strobe", "theta", "omega"};
-
-/// In which direction a plane is crossed.
-enum class Direction { both, rising, falling };
-inline constexpr const char* direction_names[] = {"both", "rising", "falling"};
 
 /// How trajectories are sampled and how long they are followed.
 ///

@@ -108,18 +108,21 @@ std::size_t rows_of(const ResultColumn& column, const Strobe& strobe) noexcept {
     return static_cast<std::size_t>(column.rows == ResultColumn::Rows::periods ? strobe.periods : strobe.history_rows);
 }
 
+Refusal check(Measure what, const MeasureCall& call, const Control& control) noexcept {
+    if (!(what >= Measure::section && what <= Measure::orbit))
+        return {.reason = Refusal::Reason::not_among,
+                .name = "measure",
+                .legal = "section, mean_velocity, lyapunov, attractors, orbit"};
+    if (const auto refusal = check(call.strobe)) return refusal;
+    if (const auto refusal = check_call(call.ensemble, control)) return refusal;
+    if (const auto refusal = check_results(measures[static_cast<int>(what)], call)) return refusal;
+    return check_each(call.ensemble, [&](std::size_t, const Pendulum& pendulum) { return check_steps(pendulum, call.strobe); });
+}
+
 Outcome measure(Measure what, const Ensemble& ensemble, const Strobe& strobe, const Results& results,
                 const Control& control) noexcept {
-    if (!(what >= Measure::section && what <= Measure::orbit))
-        return Refusal{.reason = Refusal::Reason::not_among,
-                       .name = "measure",
-                       .legal = "section, mean_velocity, lyapunov, attractors, orbit"};
     const MeasureCall call{ensemble, strobe, results.columns()};
-    if (const auto refusal = check(strobe)) return refusal;
-    if (const auto refusal = check_call(ensemble, control)) return refusal;
-    if (const auto refusal = check_results(measures[static_cast<int>(what)], call)) return refusal;
-    const auto check_member = [&](std::size_t, const Pendulum& pendulum) { return check_steps(pendulum, strobe); };
-    if (const auto refusal = check_each(ensemble, check_member)) return refusal;
+    if (const auto refusal = check(what, call, control)) return refusal;
     switch (what) {
         case Measure::section:
             return measure_section(call, control);

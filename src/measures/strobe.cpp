@@ -1,5 +1,6 @@
 #include "measures/strobe.hpp"
 
+#include "arithmetic/double_double.hpp"
 #include "arithmetic/exponential.hpp"
 #include "kernels/packs.hpp"
 #include "kernels/rk4_kernel.hpp"
@@ -109,7 +110,8 @@ void load_strobed(StrobedMembers& m, const Ensemble& ensemble, std::size_t first
         m.frequency[i] = strobe_frequency(p);
         m.period[i] = two_pi / m.frequency[i];
         m.root_alpha[i] = sqrt(p.alpha);
-        m.growth[i] = 0;
+        m.growth[i] = m.first[i] = 0;
+        m.has_phase[i] = p.drive_frequency != 0;
     }
 }
 
@@ -122,21 +124,28 @@ void move_member(StrobedMembers& m, int from, int to) noexcept {
     m.chunk.resting_theta[to] = m.chunk.resting_theta[from];
     m.chunk.resting_turns[to] = m.chunk.resting_turns[from];
     m.number[to] = m.number[from];
-    for (Row* row : {&m.frequency, &m.period, &m.root_alpha, &m.growth}) (*row)[to] = (*row)[from];
+    m.has_phase[to] = m.has_phase[from];
+    for (Row* row : {&m.frequency, &m.period, &m.root_alpha, &m.growth, &m.first}) (*row)[to] = (*row)[from];
 }
 
 bool integrate_to_first_strobe(StrobedMembers& m, const Propagation& run) noexcept {
-    Row length;
     bool moves = false;
     for (int i = 0; i < chunk_size; ++i) {
-        const double phase = wrap(run.strobe.phase - m.chunk.parameters.drive_phase[i]);
-        length[i] = (phase < 0 ? phase + two_pi : phase) / m.frequency[i];
-        moves = moves || length[i] > 0;
+        const auto ahead = arithmetic::two_sum(run.strobe.phase, -m.chunk.parameters.drive_phase[i]);
+        const double phase = wrap(ahead.hi) + ahead.lo;
+        m.first[i] = m.has_phase[i] ? (phase < 0 ? phase + two_pi : phase) / m.frequency[i] : 0;
+        moves = moves || m.first[i] > 0;
     }
     if (!moves) return true;
-    if (!integrate(m, length, {run.strobe, run.thread, false})) return false;
+    if (!integrate(m, m.first, {run.strobe, run.thread, false})) return false;
     for (double& phase : m.chunk.parameters.drive_phase) phase = run.strobe.phase;
     return true;
+}
+
+double time_of_strobe(const StrobedMembers& m, int i, double n) noexcept {
+    using arithmetic::DoubleDouble;
+    const auto turned = DoubleDouble<double>{arithmetic::two_pi_dd[0], arithmetic::two_pi_dd[1]} * n;
+    return (turned / DoubleDouble<double>{m.frequency[i], 0} + m.first[i]).hi;
 }
 
 bool integrate_to_next_strobe(StrobedMembers& m, const Propagation& run) noexcept { return integrate(m, m.period, run); }

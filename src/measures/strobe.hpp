@@ -8,10 +8,12 @@ namespace pendula {
 
 /// A chunk of members at a strobe time.
 struct StrobedMembers : Members {
-    kernels::Row frequency;   ///< of the strobe [rad/s]
-    kernels::Row period;      ///< of the strobe [s]
-    kernels::Row root_alpha;  ///< sqrt(alpha), the unit of d omega in the length of a displacement [s^-1]
-    kernels::Row growth;      ///< the logarithm of the growth of the displacements, which are rescaled to length 1
+    kernels::Row frequency;               ///< of the strobe [rad/s]
+    kernels::Row period;                  ///< of the strobe [s]
+    kernels::Row root_alpha;              ///< sqrt(alpha), the unit of d omega in the length of a displacement [s^-1]
+    kernels::Row growth;                  ///< the logarithm of the growth of the displacements, which are rescaled to length 1
+    kernels::Row first;                   ///< the time of the first strobe [s]
+    bool has_phase[kernels::chunk_size];  ///< drive_frequency is not 0, so that the strobe has a phase
 };
 
 /// How members are integrated to the next strobe time, and by which thread.
@@ -30,6 +32,9 @@ bool integrate_to_first_strobe(StrobedMembers& members, const Propagation& run) 
 
 /// Integrates members to the next strobe time, and their displacements if has_tangent is true.
 bool integrate_to_next_strobe(StrobedMembers& members, const Propagation& run) noexcept;
+
+/// The time of strobe number n of member i [s], to the last digit.
+double time_of_strobe(const StrobedMembers& members, int i, double n) noexcept;
 
 /// Replaces a member by another one of the chunk.
 void move_member(StrobedMembers& members, int from, int to) noexcept;
@@ -50,6 +55,9 @@ struct MeasureCall {
         for (std::size_t column = 0; column < n; ++column) result(column, 0, member) = values[column];
     }
 };
+
+/// Why a call of `measure` is refused, or no refusal.
+Refusal check(Measure what, const MeasureCall& call, const Control& control) noexcept;
 
 /// A control for a part of a call: its progress runs from one fraction of the whole call to another. The given control must
 /// outlive it.

@@ -1,5 +1,8 @@
 """Labels of xarray and pandas: results have those of the arguments, and the numbers of arrays without."""
 
+# mypy: disable-error-code="attr-defined"
+# Type checkers take the results for arrays.
+
 import re
 
 import numpy as np

@@ -69,6 +69,15 @@ def test_scalars_give_scalars_and_arrays_arrays():
     assert pendula.exact(np.empty((0, 3)), 0.5, 2)[0].shape == (0, 3)
 
 
+@pytest.mark.parametrize("method", ["rk4", "taylor", "exact"])
+@pytest.mark.parametrize("dt", [{}, {"dt": 0.1}, {"dt": []}], ids=["no dt", "one dt", "dt of each"])
+def test_no_pendulums_have_the_rows_of_any(method, dt):
+    solution = pendula.solve([], 0.0, every=0.5, until=5, method=method, **dt)
+    assert solution.theta.shape == (0, 11)
+    assert solution.t.shape == (11,)
+    assert pendula.solve([], 0.0, t=[0.0, 1.0], method=method, **dt).theta.shape == (0, 2)
+
+
 def test_arguments_are_not_written_to():
     times = np.linspace(0, 9, 10)
     before = times.copy()

@@ -14,6 +14,9 @@ namespace {
 /// the standard error comes from the scatter of eight parts or more: 2.36 by Student's distribution for eight parts.
 constexpr double coverage = 2.5;
 
+/// A bound of the rounding errors of a mean rotation, relative to it or to one turn.
+constexpr double rounding = 0x1p-46;
+
 double end_of(double part, double parts, double periods) noexcept { return floor((part + 1) * periods / parts); }
 
 /// The variance of the mean of `n` means of windows of equal length.
@@ -56,7 +59,7 @@ Estimate Averages::rotation(double periods) const noexcept {
     // longest windows bound its error.
     const bool is_smooth = quarters < eighths / 64 && halves < eighths / 64;
     const double variance = is_smooth ? (halves > quarters ? halves : quarters) : (halves + 3 * quarters + 7 * eighths) / 11;
-    return {mean[0], coverage * sqrt(variance) + 0x1p-50 * (abs(mean[0]) + 1)};
+    return {mean[0], coverage * sqrt(variance) + rounding * (abs(mean[0]) + 1)};
 }
 
 Estimate Averages::growth(double periods) const noexcept {

@@ -29,7 +29,7 @@ Outcome measure_lyapunov(const MeasureCall& call, const Control& control) noexce
     const auto put = [&](std::size_t member, const Fate& fate) {
         const auto [exponent, error] = fate.exponent;
         const double horizon = !fate.exponent.is_known() ? nan : exponent > 3 * error ? log_of_2_to_52 / exponent : infinity;
-        const double second = -call.ensemble.beta[member] - exponent;
+        const double second = 0 - call.ensemble.beta[member] - exponent;
         call.put(member, {exponent, error, horizon, second, fate.dimension.value, fate.dimension.error,
                           static_cast<double>(fate.kind), fate.end.theta, fate.end.omega});
         const bool is_estimated = fate.kind == Kind::chaotic || fate.kind == Kind::quasi_periodic ||

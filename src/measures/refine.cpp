@@ -99,7 +99,7 @@ void set_multipliers(PeriodicOrbit& o, const Return& r, const Pendulum& p, doubl
     const double half = 0.5 * trace, square = half * half - determinant;
     const double first = square < 0 ? half : half + (half < 0 ? -sqrt(square) : sqrt(square));
     o.multiplier[0] = factor * first;
-    o.multiplier[1] = factor * (square < 0 ? half : determinant / first);
+    o.multiplier[1] = square < 0 ? factor * half : exp(-p.beta * time - r.scale) / first;
     o.imaginary = square < 0 ? factor * sqrt(-square) : 0;
     o.exponent[0] = square < 0 ? -0.5 * p.beta : exponent_of(trace, determinant, r.scale, time);
     o.exponent[1] = -p.beta - o.exponent[0];

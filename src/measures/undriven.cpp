@@ -186,9 +186,12 @@ Estimate velocity_of(const Turn& turn, const Slope& slope) noexcept {
 Fate resting(const Slope& slope, double sign) noexcept {
     Fate fate{.kind = Kind::fixed_point, .end = {sign * atan2(slope.p.torque, slope.curve), 0}, .period = 1};
     set_velocity(fate, {0, 0}, 1);
-    const double half = 0.5 * slope.p.beta, square = half * half - slope.curve;
-    const double exponent = square > 0 ? -slope.curve / (half + sqrt(square)) : -half;
-    set_exponent(fate, {exponent, 0x1p-50 * abs(exponent)}, slope.p);
+    // Where both eigenvalues nearly agree, rounding of the root is their error.
+    const double half = 0.5 * slope.p.beta, root = sqrt(slope.curve), square = (half - root) * (half + root);
+    const double exponent = 0 - (square > 0 ? slope.curve / (half + sqrt(square)) : half);
+    const double noise = 0x1p-51 * (half + root) * half;
+    const double error = square > noise ? noise / sqrt(square) : square > -noise ? 2 * sqrt(noise) : 0;
+    set_exponent(fate, {exponent, error + 0x1p-50 * abs(exponent)}, slope.p);
     return fate;
 }
 
@@ -204,15 +207,12 @@ Fate rotating(const Slope& slope, const Turn& turn, double sign, double frequenc
 }
 
 /// What is certain at the end of the budget. By the energy of a turn, 2 pi torque = beta times the integral of omega^2, the
-/// mean velocity of a limit cycle is at most torque/beta. It is also at most that of the last turn, which was faster, and less
-/// than a turn in the time since the last passage.
+/// mean velocity of a limit cycle is at most torque/beta. It is also at most that of the last turn, if this was faster.
 Fate undecided(const Run& run, double sign, double frequency) noexcept {
     const auto& p = run.slope.p;
     const auto& now = run.taylor.step;
-    const double since = now.t - (run.last.t == run.last.t ? run.last.t : 0);
     double most = p.torque / p.beta;
     if (run.turn.next < run.turn.kinetic) most = least_of(most, 2 * pi / run.turn.period);
-    if (!(p.torque < p.alpha) && now.start.omega < p.torque / p.beta) most = least_of(most, 2 * pi / since);
     const bool must_rotate = p.torque > p.alpha;
     Fate fate{.kind = must_rotate ? Kind::rotating : Kind::unsettled, .end = {sign * now.start.theta, sign * now.start.omega}};
     set_velocity(fate, {0.5 * sign * most, 0.5 * most}, frequency);
@@ -254,7 +254,7 @@ Fate frictionless(const Pendulum& p, State initial) noexcept {
     if (excess < -excess_of_rounding) {
         fate.kind = Kind::conservative;
         set_velocity(fate, {0, 0}, 1);
-    } else if (excess > excess_of_rounding || !(p.torque <= p.alpha)) {
+    } else if (excess > excess_of_rounding || slope.p.torque > p.alpha) {
         fate.kind = Kind::unbounded;
     }
     if (fate.kind != Kind::unsettled) set_exponent(fate, {0, 0}, p);

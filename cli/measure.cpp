@@ -85,7 +85,8 @@ std::size_t block_size(const Run& run) {
         const double lines = std::min(room / static_cast<double>(line_of(run)), static_cast<double>(16 * threads));
         return std::max<std::size_t>(1, static_cast<std::size_t>(lines)) * line_of(run);
     }
-    const double steps = (run.strobe.transient + run.strobe.periods) * run.strobe.steps_per_period;
+    const double measured = run.strobe.transient + run.strobe.periods;
+    const double steps = (run.has_points ? measured : std::max(measured, run.strobe.budget)) * run.strobe.steps_per_period;
     const auto timely = static_cast<std::size_t>(std::min(most_steps / steps, static_cast<double>(most_members)));
     const std::size_t size = std::clamp(timely, std::min(64 * threads, most_members), most_members);
     return room < static_cast<double>(size) ? std::max<std::size_t>(1, static_cast<std::size_t>(room)) : size;

@@ -10,9 +10,15 @@ double read_setting(const Setting& setting, const Options& options, std::string_
     return angle_of(options, name, unit, otherwise);
 }
 
-/// Refuses what has no meaning for a section by the strobe.
-void require_plane(const Options& options, Plane plane) {
-    if (plane != Plane::strobe) return;
+/// Refuses what does not go with the surface of a section.
+void require_surface(const Options& options, const Strobe& strobe) {
+    if (strobe.plane != Plane::strobe) {
+        if (strobe.method == Method::rk4)
+            throw bad_usage({"{0} needs --method taylor, which finds the crossings between its steps",
+                             "{0} necesita --method taylor, que halla los cruces entre sus pasos"},
+                            {"--plane"});
+        return;
+    }
     for (const auto* name : {"--level", "--direction", "--budget"})
         if (is_given(options, name))
             throw bad_usage({"{0} is for a section by a plane: it needs --plane theta or omega",
@@ -38,7 +44,7 @@ Strobe read_strobe(const MeasureInfo& info, const Options& options) {
     strobe.method = method_of(options, strobe_method_names);
     strobe.plane = static_cast<Plane>(choice(options, option_of(plane_setting.name), plane_names));
     strobe.direction = static_cast<Direction>(choice(options, option_of(direction_setting.name), direction_names));
-    if (info.measure == Measure::section) require_plane(options, strobe.plane);
+    if (info.measure == Measure::section) require_surface(options, strobe);
     for (const auto& setting : settings) {
         if (!is_option(setting) || !(setting.measures & bits_of({info.measure}))) continue;
         const bool is_of_omega = setting.value == &Strobe::level && strobe.plane == Plane::omega;

@@ -58,7 +58,10 @@ def test_standard_input_is_handed_on(pendula, tmp_path):
             'unknown command "frobnicate"; there are analyze, attractors, lyapunov, mean-velocity, orbit, plot, section, solve',
         ),
         ("", 'unknown command ""; there are analyze, attractors, lyapunov, mean-velocity, orbit, plot, section, solve'),
-        ("../plot", 'unknown command "../plot"; there are analyze, attractors, lyapunov, mean-velocity, orbit, plot, section, solve'),
+        (
+            "../plot",
+            'unknown command "../plot"; there are analyze, attractors, lyapunov, mean-velocity, orbit, plot, section, solve',
+        ),
     ],
 )
 def test_a_name_that_is_nowhere_is_bad_usage_with_the_nearest(pendula, on_path, name, message):

@@ -24,7 +24,9 @@ def read(pendula, texts, option="torque"):
 def spelled(rng):
     """A number in one of the spellings, and its exact value."""
     sign, factor = rng.choice([("", 1), ("-", -1), ("+", 1)])
-    a = rng.choice([str(rng.randint(1, 99)), f"{rng.uniform(0, 50):.{rng.randint(1, 12)}f}", f"{rng.randint(1, 9)}e-{rng.randint(1, 9)}"])
+    a = rng.choice(
+        [str(rng.randint(1, 99)), f"{rng.uniform(0, 50):.{rng.randint(1, 12)}f}", f"{rng.randint(1, 9)}e-{rng.randint(1, 9)}"]
+    )
     b = rng.choice([str(rng.randint(1, 99)), f"{rng.uniform(1, 9):.3f}"])
     pi = rng.choice(["pi", "*pi", "π"])
     text, value = rng.choice(

@@ -66,7 +66,7 @@ def crossings(
     ValueError with the index for a value outside its interval, TypeError for what is no real number. The crossings of a motion
     that leaves the doubles end there, with a RuntimeWarning.
     """
-    *columns, rising = _core.crossings(
+    t, theta, omega, rising = _core.crossings(
         theta0=theta0,
         omega0=omega0,
         until=until,
@@ -77,7 +77,7 @@ def crossings(
         threads=threads,
         **with_alpha(pendulum),
     )
-    return Crossings(*columns, rising.astype(np.bool_))
+    return Crossings(t, theta, omega, rising.astype(np.bool_))
 
 
 @public(*PENDULUM)

@@ -2,12 +2,14 @@
 
 #include "arithmetic/pack.hpp"
 #include "measures/averages.hpp"
+#include "measures/orbit_search.hpp"
 #include "pendula/angle.hpp"
 
 namespace pendula {
 
 using arithmetic::abs;
 using arithmetic::floor;
+using arithmetic::round_even;
 using arithmetic::sqrt;
 using kernels::chunk_size;
 
@@ -15,9 +17,14 @@ namespace {
 
 constexpr double larger_of(double a, double b) noexcept { return a > b ? a : b; }
 
-/// The distance of two states, in theta [rad] and omega/frequency.
-double distance(State a, State b, double frequency) noexcept {
-    return larger_of(abs(wrap(a.theta - b.theta)), abs(a.omega - b.omega) / frequency);
+/// Whether a rotation number with its error may be a ratio with a small denominator. An orbit that is locked to the drive but
+/// settles slowly has such a number, and looks quasi-periodic. No quasi-periodic orbit with friction has one.
+bool may_be_locked(const Estimate& rotation) noexcept {
+    constexpr double largest_denominator = 64, least_distance = 1e-6;
+    const double reach = larger_of(16 * rotation.error, least_distance);
+    for (double q = 1; q <= largest_denominator; ++q)
+        if (abs(q * rotation.value - round_even(q * rotation.value)) <= q * reach) return true;
+    return false;
 }
 
 /// The arguments of one call.
@@ -28,89 +35,6 @@ struct SettleCall {
     const PutFate& put;
 
     double end_of_first_window() const noexcept { return strobe.transient + strobe.periods; }
-};
-
-/// The search for a periodic orbit on which a motion settles.
-///
-/// Brent's algorithm for cycles (BIT 20, 1980) proposes a period: the motion is compared with a reference state, which is
-/// replaced by the present one after 1, 2, 4, 8, ... periods. When the motion comes back to the reference to within `near`,
-/// Newton's method looks for the periodic orbit. If it is stable, the motion has settled once its distance from the orbit is
-/// below `match`, or 16 times smaller than when the orbit was found.
-class OrbitSearch {
-  public:
-    enum class Result { goes_on, settled, stopped };
-
-    void begin(State at, double n) noexcept {
-        reference_ = at;
-        since_ = n;
-        has_orbit_ = false;
-    }
-    bool has_orbit() const noexcept { return has_orbit_; }
-    const PeriodicOrbit& orbit() const noexcept { return orbit_; }
-
-    /// Looks at the state after n periods.
-    Result look(State at, double n, const Pendulum& p, const Strobe& strobe, Thread& thread) noexcept {
-        const double frequency = strobe_frequency(p);
-        if (has_orbit_) return approach(at, n, frequency, strobe.match);
-        const double d = distance(at, reference_, frequency);
-        const double period = n - since_;
-        // Without friction nothing is approached; but a state may return exactly, as one at rest does.
-        if (period <= longest_period && (d == 0 || (p.beta > 0 && d <= near_))) return find(at, n, d == 0, p, strobe, thread);
-        if (n == (since_ == 0 ? 1 : 2 * since_)) begin(at, n);
-        return Result::goes_on;
-    }
-
-  private:
-    static constexpr double longest_period = 1024, reach = 0.5, farthest = 0.1;
-
-    Result approach(State at, double n, double frequency, double match) noexcept {
-        if (n < due_) return Result::goes_on;
-        due_ = n + orbit_.period;
-        const double d = distance(at, orbit_.point, frequency);
-        if (d <= match || d <= first_distance_ / 16) return Result::settled;
-        if (d > 4 * first_distance_) give_up(at, n);
-        return Result::goes_on;
-    }
-
-    Result find(State at, double n, bool is_exact, const Pendulum& p, const Strobe& strobe, Thread& thread) noexcept {
-        if (!refine_within(p, at, n - since_, reach, strobe, thread, orbit_)) return Result::stopped;
-        if (!reduce(p, strobe, thread)) return Result::stopped;
-        const double frequency = strobe_frequency(p);
-        first_distance_ = distance(at, orbit_.point, frequency);
-        if (orbit_.is_found && is_exact && first_distance_ <= strobe.match) return Result::settled;
-        if (!orbit_.is_found || !orbit_.is_stable || first_distance_ > farthest) return give_up(at, n);
-        has_orbit_ = true;
-        due_ = n;
-        return approach(at, n, frequency, strobe.match);
-    }
-
-    /// Replaces the orbit by the same one with its least period, which may be a divisor. Returns false if the call was stopped.
-    bool reduce(const Pendulum& p, const Strobe& strobe, Thread& thread) noexcept {
-        for (double divisor = 1; orbit_.is_found && 2 * divisor <= orbit_.period; ++divisor) {
-            if (orbit_.period / divisor != floor(orbit_.period / divisor)) continue;
-            PeriodicOrbit shorter;
-            if (!refine_within(p, orbit_.point, divisor, reach, strobe, thread, shorter)) return false;
-            const double same = 0x1p-30 + 4 * (orbit_.error + shorter.error);
-            if (!shorter.is_found || distance(shorter.point, orbit_.point, strobe_frequency(p)) > same) continue;
-            orbit_ = shorter;
-            return true;
-        }
-        return true;
-    }
-
-    Result give_up(State at, double n) noexcept {
-        near_ *= 0.125;
-        begin(at, n);
-        return Result::goes_on;
-    }
-
-    State reference_;
-    double since_ = 0;  ///< number of the period at which the reference was taken
-    double near_ = 1e-4;
-    bool has_orbit_ = false;
-    PeriodicOrbit orbit_;
-    double due_ = 0;  ///< number of the next period at which the motion passes the point of the orbit
-    double first_distance_ = 0;
 };
 
 /// A motion, followed at the times of the strobe.
@@ -228,9 +152,9 @@ struct Pursuit {
         if (f.growth.value > 3 * f.growth.error) return Kind::chaotic;
         const double contraction = m.chunk.parameters.beta[i] * m.period[i];
         const bool is_neutral = abs(f.growth.value) <= f.growth.error;
-        const bool is_sharp = contraction == 0 || f.growth.error < 0.2 * contraction;
-        return is_neutral && is_sharp && f.rotation.error < converged && !f.search.has_orbit() ? Kind::quasi_periodic
-                                                                                               : Kind::unsettled;
+        const bool is_sharp = contraction == 0 || (f.growth.error < 0.2 * contraction && !may_be_locked(f.rotation));
+        const bool is_curve = is_neutral && is_sharp && f.rotation.error < converged && !f.search.has_orbit();
+        return is_curve ? Kind::quasi_periodic : Kind::unsettled;
     }
 
     Fate fate_by_means(int i, Kind kind) const noexcept {

@@ -236,7 +236,8 @@ inline constexpr Setting settings[] = {
 /// The number of rows of a column of results; each row has `size` values.
 std::size_t rows_of(const ResultColumn& column, const Strobe& strobe) noexcept;
 
-/// The arrays that receive the results: one for each column of the measure, with rows x size values, row by row.
+/// The arrays that receive the results: one for each column of the measure, with rows x size values, row by row. A column that
+/// is a detail may be left out, by an empty array or at the end.
 class Results {
   public:
     Results(std::initializer_list<std::span<double>> columns) noexcept : columns_(columns.begin(), columns.size()) {}

@@ -32,6 +32,7 @@ struct Attractor {
     double rotation;
     State point;  ///< the point of the orbit with the smallest theta
     int number;
+    std::size_t exemplar;  ///< the first member on it
 };
 
 bool precedes(const Attractor& a, const Attractor& b) noexcept {
@@ -57,7 +58,8 @@ struct ParameterGroup {
                 result(period_column, i),
                 result(rotation_column, i),
                 {result(theta_column, i), result(omega_column, i)},
-                number};
+                number,
+                i};
     }
 
     /// Whether the orbit of a member passes a point of the attractor. The period of a limit cycle is measured; that of other
@@ -109,9 +111,13 @@ struct ParameterGroup {
             const int label = rank[static_cast<int>(result(label_column, i))];
             result(label_column, i) = label;
             if (label == 0) continue;
-            const State point = found[label - 1].point;
-            result(theta_column, i) = point.theta;
-            result(omega_column, i) = point.omega;
+            const auto& a = found[label - 1];
+            result(period_column, i) = a.period;
+            result(rotation_column, i) = a.rotation;
+            result(theta_column, i) = a.point.theta;
+            result(omega_column, i) = a.point.omega;
+            for (std::size_t detail = omega_column + 1; detail < std::size(attractors_columns); ++detail)
+                if (call.has(detail)) call.result(detail, 0, members[i]) = call.result(detail, 0, members[a.exemplar]);
         }
     }
 };

@@ -62,6 +62,10 @@ Estimate Averages::rotation(double periods) const noexcept {
     return {mean[0], coverage * sqrt(variance) + rounding * (abs(mean[0]) + 1)};
 }
 
+double Averages::drift(double periods) const noexcept {
+    return periods < 4 ? 0 : (sum_[2] / weights_[2] - sum_[1] / weights_[1]) / (0.5 * periods);
+}
+
 Estimate Averages::growth(double periods) const noexcept {
     const double total = until_[blocks - 1], mean = total / periods;
     double variance = 0, farthest = 0;

@@ -30,6 +30,9 @@ class Averages {
 
     /// Turns in a period.
     Estimate rotation(double periods) const noexcept;
+    /// The change of the rotation from one half of the periods to the other, divided by the time between them: turns in a
+    /// period, per period.
+    double drift(double periods) const noexcept;
     /// The logarithm of the growth in a period.
     Estimate growth(double periods) const noexcept;
 

@@ -40,11 +40,6 @@ struct CarriedCall {
         for (std::size_t column = 0; column < info.columns.size(); ++column) width += rows(column);
         return width;
     }
-
-    State end_of(std::size_t member) const noexcept {
-        const std::size_t last = rows(theta) - 1;
-        return {call.result(theta, last, member), call.result(omega, last, member)};
-    }
 };
 
 /// Some lines, and room for one member of each.
@@ -56,6 +51,13 @@ struct Lines {
 
     std::size_t member(std::size_t i, std::size_t k) const noexcept { return (first + i) * carried.line + k; }
 
+    /// The last row of a column in the present outputs.
+    const double* last_of(std::size_t place) const noexcept {
+        std::size_t rows = 0;
+        for (std::size_t column = 0; column <= place; ++column) rows += carried.rows(column);
+        return outputs + (rows - 1) * count;
+    }
+
     /// The k-th members, each from the end of its neighbour.
     Ensemble load(std::size_t k, bool has_neighbour) const noexcept {
         const MeasureCall& call = carried.call;
@@ -64,8 +66,7 @@ struct Lines {
             auto pendulum = pendulum_of(call.ensemble, number);
             auto initial = initial_state_of(call.ensemble, number);
             if (has_neighbour)
-                continue_from(carried.end_of(carried.carry == Carry::up ? number - 1 : number + 1), call.strobe, pendulum,
-                              initial);
+                continue_from({last_of(carried.theta)[i], last_of(carried.omega)[i]}, call.strobe, pendulum, initial);
             for (std::size_t j = 0; j < parameter_count; ++j)
                 inputs[j * count + i] = value_of(parameters[j], pendulum, initial);
         }
@@ -79,7 +80,7 @@ struct Lines {
         const double* from = outputs;
         for (std::size_t column = 0; column < carried.info.columns.size(); ++column)
             for (std::size_t row = 0; row < carried.rows(column); ++row, from += count)
-                for (std::size_t i = 0; i < count; ++i) carried.call.result(column, row, member(i, k)) = from[i];
+                for (std::size_t i = 0; i < count; ++i) carried.call.set(column, row, member(i, k), from[i]);
     }
 
     /// Measures the lines, one member after the other.

@@ -23,7 +23,7 @@ Outcome measure_mean_velocity(const MeasureCall& call, const Control& control) n
 
 Outcome measure_lyapunov(const MeasureCall& call, const Control& control) noexcept {
     constexpr std::size_t history = std::size(lyapunov_columns) - 1;
-    const std::size_t rows = rows_of(lyapunov_columns[history], call.strobe);
+    const std::size_t rows = call.has(history) ? rows_of(lyapunov_columns[history], call.strobe) : 0;
     for (std::size_t row = 0; row < rows; ++row)
         for (std::size_t member = 0; member < call.ensemble.size; ++member) call.result(history, row, member) = nan;
     const auto put = [&](std::size_t member, const Fate& fate) {
@@ -82,12 +82,15 @@ Refusal check_steps(const Pendulum& pendulum, const Strobe& strobe) noexcept {
 }
 
 Refusal check_results(const MeasureInfo& info, const MeasureCall& call) noexcept {
-    if (call.columns.size() < info.columns.size())
+    std::size_t least = info.columns.size();
+    while (least > 0 && info.columns[least - 1].is_detail) --least;
+    if (call.columns.size() < least)
         return {.reason = Refusal::Reason::length,
                 .name = "results",
                 .value = static_cast<double>(call.columns.size()),
-                .least = static_cast<double>(info.columns.size())};
+                .least = static_cast<double>(least)};
     for (std::size_t i = 0; i < info.columns.size(); ++i) {
+        if (info.columns[i].is_detail && !call.has(i)) continue;
         const double values =
             static_cast<double>(rows_of(info.columns[i], call.strobe)) * static_cast<double>(call.ensemble.size);
         if (const auto refusal = check_length(call.columns[i], values, info.columns[i].name)) return refusal;

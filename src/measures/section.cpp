@@ -11,10 +11,10 @@ struct SectionCall {
     const MeasureCall& call;
 
     void put(std::size_t row, std::size_t member, const Sample& s) const noexcept {
-        call.result(0, row, member) = s.theta;
-        call.result(1, row, member) = s.omega;
-        call.result(2, row, member) = s.turns;
-        call.result(3, row, member) = s.t;
+        call.set(0, row, member, s.theta);
+        call.set(1, row, member, s.omega);
+        call.set(2, row, member, s.turns);
+        call.set(3, row, member, s.t);
     }
 
     /// The state of place i of a chunk, which has come to strobe number n.

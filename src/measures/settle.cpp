@@ -43,8 +43,8 @@ struct Follower {
     Averages averages;
     State last;
     double last_turns = 0;
-    double growth_before = 0;  ///< of the displacement, up to the start of the window
-    Estimate rotation{}, growth{};
+    double growth_before = 0;       ///< of the displacement, up to the start of the window
+    Estimate rotation{}, growth{};  ///< in a period
 };
 
 /// A chunk of driven members. Members whose fate is known leave it, and the last one takes their place.
@@ -157,6 +157,19 @@ struct Pursuit {
         return is_curve ? Kind::quasi_periodic : Kind::unsettled;
     }
 
+    /// Widens the errors of a motion that has not settled. What friction makes of it in the long run may still be far away: a
+    /// drift decays at the rate beta or beta/2, and the exponent ends between -beta/2 and 0.
+    void allow_for_drift(Follower& f, int i) const noexcept {
+        const double contraction = m.chunk.parameters.beta[i] * m.period[i];
+        if (!(contraction > 0)) return;
+        f.rotation.error += 2 * abs(f.averages.drift(windows.periods)) / contraction;
+        constexpr double relaxed = 16;  // contractions
+        if (contraction * windows.periods > relaxed) return;
+        const double high = larger_of(0, f.growth.value + f.growth.error);
+        const double low = larger_of(0.5 * contraction, f.growth.error - f.growth.value);
+        f.growth = {0.5 * (high - low), 0.5 * (high + low)};
+    }
+
     Fate fate_by_means(int i, Kind kind) const noexcept {
         const auto& f = followers[i];
         const auto p = pendulum_of(call.ensemble, m.number[i]);
@@ -181,6 +194,7 @@ struct Pursuit {
             const auto kind = kind_of(i);
             const bool may_settle = kind == Kind::unsettled || (kind == Kind::chaotic && m.chunk.parameters.beta[i] > 0);
             if (!may_settle || is_last) {
+                if (kind == Kind::unsettled) allow_for_drift(f, i);
                 leave(i, fate_by_means(i, kind));
                 continue;
             }

@@ -49,10 +49,17 @@ struct MeasureCall {
         return columns[column][row * ensemble.size + member];
     }
 
+    /// Whether a column is wanted: details may be left out.
+    bool has(std::size_t column) const noexcept { return column < columns.size() && !columns[column].empty(); }
+
+    void set(std::size_t column, std::size_t row, std::size_t member, double value) const noexcept {
+        if (has(column)) result(column, row, member) = value;
+    }
+
     /// Sets the first columns of a member, which have one row each.
     template <std::size_t n>
     void put(std::size_t member, const double (&values)[n]) const noexcept {
-        for (std::size_t column = 0; column < n; ++column) result(column, 0, member) = values[column];
+        for (std::size_t column = 0; column < n; ++column) set(column, 0, member, values[column]);
     }
 };
 

@@ -47,6 +47,7 @@ struct Slope {
     bool is_trapped(double theta, double omega) const noexcept {
         if (excess(theta, omega) < -excess_of_rounding) return true;
         const double x = theta - saddle;
+        if (p.torque == p.alpha && omega == 0 && abs(x) <= ulp_of_one) return true;  // released there, to the last bit
         return p.torque == p.alpha && omega >= 0 && x < -0x1p-40 && x >= -1 && 4 * p.alpha * abs(x) <= p.beta * p.beta &&
                p.beta * omega <= p.alpha * x * x;
     }
@@ -223,7 +224,7 @@ Fate undecided(const Run& run, double sign, double frequency) noexcept {
 
 /// Follows a motion with friction and torque to its end. Newton's method is tried after the turns 1, 2, 4, 8, ...
 bool settle_on_slope(const Pendulum& p, State initial, const Strobe& strobe, Thread& thread, Fate& fate) noexcept {
-    constexpr double steps_per_period_of_budget = 1000;
+    constexpr double steps_per_period_of_budget = 500;
     const Slope slope(p);
     const double sign = p.torque < 0 ? -1 : 1, frequency = strobe_frequency(p);
     double steps_left = steps_per_period_of_budget * strobe.budget;

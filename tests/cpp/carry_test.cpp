@@ -47,7 +47,7 @@ TEST(CarriedSweep, OfOneMemberIsTheMeasure) {
     Flock flock = published({0.9, 1.07, 1.15, 1.35});
     flock.drive_phase = {1};
     for (const auto& info : measures) {
-        const auto alone = measured(info.measure, flock, quick);
+        const auto alone = measured(info.measure, flock, quick).columns;
         const auto one = carried(info.measure, flock, 1, Carry::up, quick);
         for (std::size_t i = 0; i < alone.size(); ++i) EXPECT_TRUE(same_bits(alone[i], one[i])) << info.name << ' ' << i;
     }
@@ -66,11 +66,11 @@ TEST(CarriedSweep, StartsEachMemberWhereItsNeighbourEnded) {
             alone.omega = {end.omega};
             alone.drive_phase = {phase};
             const auto points = section_of(alone, quick);
-            for (std::size_t row = 0; row < points.theta.size(); ++row) {
-                EXPECT_EQ(section[0][3 * row + k], points.theta[row]);
-                EXPECT_EQ(section[1][3 * row + k], points.omega[row]);
+            for (std::size_t row = 0; row < points["theta"].size(); ++row) {
+                EXPECT_EQ(section[0][3 * row + k], points["theta"][row]);
+                EXPECT_EQ(section[1][3 * row + k], points["omega"][row]);
             }
-            end = {points.theta.back(), points.omega.back()};
+            end = {points["theta"].back(), points["omega"].back()};
             phase = quick.phase;
         }
     }

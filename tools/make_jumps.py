@@ -12,7 +12,7 @@ tolerance of 3e-14. The map and its derivative are those of a whole period.
 """
 
 import numpy as np
-from mpmath import asin, cos, findroot, mp, mpf, odefun, pi, sin, sqrt, taylor
+from mpmath import cos, findroot, mp, mpf, odefun, pi, sin, sqrt, taylor
 from scipy.integrate import solve_ivp
 from scipy.optimize import root
 
@@ -55,7 +55,8 @@ def after_a_period(x, beta, amplitude, frequency):
     def rate(t, y):
         theta, omega, a, b, c, d = y
         k = -np.cos(theta)
-        return [omega, -np.sin(theta) - beta * omega + amplitude * np.cos(frequency * t), c, d, k * a - beta * c, k * b - beta * d]
+        acceleration = -np.sin(theta) - beta * omega + amplitude * np.cos(frequency * t)
+        return [omega, acceleration, c, d, k * a - beta * c, k * b - beta * d]
 
     y = solve_ivp(rate, (0, 2 * np.pi / frequency), [*x, 1, 0, 0, 1], method="DOP853", rtol=3e-14, atol=1e-15).y[:, -1]
     return y[:2], y[2:].reshape(2, 2)

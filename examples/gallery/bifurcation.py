@@ -17,7 +17,6 @@ states = pendula.measure.section(
     drive_frequency=2 / 3,
     transient=300,
     periods=32,
-    steps_per_period=200,
 )
 figure, ax = pyplot.subplots(figsize=(8, 4.5), layout="constrained")
 pendula.plot.bifurcation(amplitude[:, np.newaxis], states.omega, ax=ax, names=("drive_amplitude", "omega"), markersize=0.6)

@@ -15,10 +15,14 @@ figure, ax = pyplot.subplots(figsize=(7, 4.5), layout="constrained")
 for step in range(1, 4):
     ax.axhline(step, color="0.85", linewidth=0.8, zorder=0)
 for amplitude, colour, dashes in ((0.0, "0.45", "--"), (1.0, "#0072b2", "-")):
-    voltage = pendula.measure.mean_velocity(
-        0.0, 0.0, beta=1.0, torque=current, drive_amplitude=amplitude, drive_frequency=0.7, periods=200, steps_per_period=300
+    found = pendula.measure.mean_velocity(0.0, 0.0, beta=1.0, torque=current, drive_amplitude=amplitude, drive_frequency=0.7)
+    ax.plot(
+        current,
+        found.mean_velocity / 0.7,
+        color=colour,
+        linestyle=dashes,
+        label=rf"$\Gamma = {amplitude:g}\,\mathrm{{s}}^{{-2}}$",
     )
-    ax.plot(current, voltage / 0.7, color=colour, linestyle=dashes, label=rf"$\Gamma = {amplitude:g}\,\mathrm{{s}}^{{-2}}$")
 ax.spines[["top", "right"]].set_visible(False)
 ax.set(xlabel=r"$\mu$ [s$^{-2}$]", ylabel=r"$\langle\omega\rangle/\Omega$", xlim=(0, 2.5), ylim=(0, None))
 ax.legend(frameon=False)

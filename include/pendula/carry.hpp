@@ -24,7 +24,7 @@ inline constexpr const char* carry_names[] = {"up", "down"};
 Outcome measure_carried(Measure what, const Ensemble& ensemble, std::size_t line, Carry carry, const Strobe& strobe,
                         const Results& results, const Control& control = {}) noexcept;
 
-/// Where the branch of a carried sweep ends. All columns are NaN for members that have no jump before them.
+/// Where the branch of a carried sweep ends before a member.
 inline constexpr ResultColumn jump_columns[] = {
     {"value", "", "", {"where the branch ends", "dónde acaba la rama"}},
     {"error", "", "", {"half the width of the interval of value", "la mitad de la anchura del intervalo de value"}},
@@ -39,31 +39,38 @@ inline constexpr ResultColumn jump_columns[] = {
     {"after",
      "",
      "1",
-     {"what becomes of the motion behind", "qué es del movimiento después"},
+     {"what becomes of the member's motion", "qué es del movimiento del miembro"},
      ResultColumn::Rows::one,
      false,
      kind_names},
 };
 
 /// Locates the jumps of a carried sweep over the parameter `swept`, in which alone the members of a line differ: where the
-/// orbit of a member's neighbour, carried on in short steps, ends before the member. It does so
+/// branch of a member's neighbour, followed in short steps, ends before the member. That is
 ///
-/// - where the kind changes, or the period or rotation of a periodic orbit. A state need not jump there: at the doubling of a
-///   period, or where the rotation locks, the gap is small;
-/// - where orbits that agree in these are apart, and stay so however short the step. They are told from an orbit that moves by
-///   at least a third of its motion between the two members.
+/// - where the kind changes, or the period or the rotation of a periodic orbit. Rest counts as an orbit of period 1. The orbit
+///   need not jump there: the gap is small where a period doubles.
+/// - where the two orbits, or the rotations of two quasi-periodic motions, agree in these but are apart, and stay so however
+///   short the step. A jump is told from an orbit that moves if it is larger than a third of that motion between the members.
 ///
-/// The interval is halved, each time from the last state on the branch, until its half-width `error` is at most `tolerance`, in
-/// the unit of the parameter. On one side the branch was followed, on the other it was not found. Of several jumps between two
-/// neighbours one is found. Where the branch goes on up to the member, which left it only since the grid's step is long, there
-/// is no jump. The gap is the smallest distance of a point of one orbit from the other, in theta [rad] and omega/frequency; NaN
-/// for kinds without an orbit.
+/// The interval is halved until half its width, `error`, is at most `tolerance`, both in the unit of the parameter. A stable
+/// periodic orbit of a driven pendulum is followed by Newton's method. All other motions, and the first halvings, start from
+/// the last state on the branch, and are followed as in a measure. At the near end of the interval the branch is there, at the
+/// far end it was not found. Of several jumps between two members one is found. If the branch goes on up to the member, which
+/// left it only because the step of the sweep is long, there is no jump.
 ///
-/// The interval holds the place where the settled kind changes. Settling is slow near the end of a branch. The end found can be
-/// early by what `budget` leaves unsettled; then `after` is `unsettled`. Tested: tests/cpp/jumps_test.cpp.
+/// The columns: value and error; the smallest distance of a point of the orbit before from the nearest orbit found behind, in
+/// theta [rad] and omega/frequency, NaN if one of them is no orbit; the kind before; the kind of the member. NaN for members
+/// without a jump.
 ///
-/// Refused like `measure_carried` with Measure::attractors, for a parameter that is not one of the pendulum's or is
-/// drive_phase, and for a tolerance that is not positive.
+/// The error covers the end of a branch at rest and of a limit cycle without a drive, and the saddle-node of an orbit to 1e-11
+/// more. A doubled period is followed down to within 1e-8 (tests/cpp/jumps_test.cpp). Where the motion before is
+/// quasi-periodic, chaotic or unsettled, the error covers the place where the measure finds another kind: settling is slow near
+/// such places, so that it depends on periods and budget.
+///
+/// Refused like `measure_carried` with Measure::attractors; if `swept` is an initial value or drive_phase; for a `tolerance`
+/// that is not positive (the refusal names it jump_tolerance, since `strobe` has one too). Memory is about 500 bytes for each
+/// member.
 Outcome locate_jumps(const Ensemble& ensemble, std::size_t line, Carry carry, const Parameter& swept, double tolerance,
                      const Strobe& strobe, const Results& results, const Control& control = {}) noexcept;
 

@@ -62,8 +62,10 @@ void Members::require(const Refusal& refusal) const {
     for (const NamedReals& other : others_)
         if (std::string_view(other.name) == refusal.name) argument = other.values;
     // What the core counts follows from arguments of other names here.
-    constexpr std::pair<std::string_view, const char*> others_names[] = {
-        {"steps_per_row", "every/dt"}, {"steps_to_first", "t[0]/dt"}, {"history_rows", "rows"}};
+    constexpr std::pair<std::string_view, const char*> others_names[] = {{"steps_per_row", "every/dt"},
+                                                                         {"steps_to_first", "t[0]/dt"},
+                                                                         {"history_rows", "rows"},
+                                                                         {"swept", "the parameter along the last axis"}};
     const char* name = "";
     for (const auto& [core, own] : others_names)
         if (core == refusal.name) name = own;

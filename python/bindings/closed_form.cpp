@@ -149,6 +149,23 @@ Array energy(const Reals& theta, const Reals& omega, const Reals& alpha) {
     })[0]};
 }
 
+/// The amplitude of oscillations by their period.
+Array amplitude(const Reals& tau, const Reals& alpha) {
+    Broadcast<2, 1> arrays({&tau.named("tau"), &alpha.named(alpha_info.name)});
+    require_all("tau", tau, Rule::positive);
+    require_all(alpha_info.name, alpha, alpha_info.rule);
+    const auto found =
+        elementwise(arrays, [](double period, double stiffness) { return std::array{amplitude_of_period(stiffness, period)}; });
+    const auto values = arrays.outputs[0].values();
+    const auto none = std::find_if(values.begin(), values.end(), [](double value) { return std::isnan(value); });
+    if (none == values.end()) return {found[0]};
+    const auto member = static_cast<std::size_t>(none - values.begin());
+    std::vector<double> copy;
+    const std::string period = nb::repr(nb::float_(column_of(tau, arrays.shape, copy)[member])).c_str();
+    throw std::invalid_argument(at_place("tau must be at least 2 pi/sqrt(alpha), the period of small swings, got " + period,
+                                         &tau, arrays.shape, member));
+}
+
 /// alpha = g/l, for alpha where it is not given itself.
 Array stiffness(const Reals& gravity, const Reals& length) {
     Broadcast<2, 1> arrays({&gravity.named("gravity"), &length.named("length")});
@@ -194,6 +211,7 @@ void define_closed_form(nb::module_& module) {
     module.def("states", states, theta0, omega0, alpha, t, "theta in [-π, π), omega and turns");
     module.def("sine", sine, theta0, omega0, alpha, t, "the sinusoid (3.4), in [-π, π)");
     module.def("energy", energy, nb::arg("theta"), nb::arg("omega"), alpha);
+    module.def("amplitude", amplitude, nb::arg("tau"), stiff, "the inverse of analyze for oscillations");
     module.def("stiffness", stiffness, nb::arg("gravity"), nb::arg("length"), "gravity/length");
     module.def("to_radians", radians, nb::arg("degrees"));
     module.def("wrap", wrap, nb::arg("theta"));

@@ -116,7 +116,8 @@ void set_steps(Rows& rows, const Members& members, const Column& dt) {
 /// Rows from 0 on, as the program has them, as many for all.
 Rows at_intervals(Members& members, const InSeconds& times, bool has_steps) {
     Rows rows{.every = members.column(times.every)};
-    const Column until = members.column(times.until), dt = has_steps ? members.column(times.dt) : rows.every;
+    const bool counts_steps = has_steps && members.size() > 0;  // the rows of no pendulums are those of any
+    const Column until = members.column(times.until), dt = counts_steps ? members.column(times.dt) : rows.every;
     const std::size_t n = rows.every.length() == 1 && until.length() == 1 && dt.length() == 1 ? 1 : members.size();
     rows.steps_per_row.resize(std::max<std::size_t>(n, 1), 1);
     double fewest = INFINITY, most = 0;

@@ -2,7 +2,7 @@
 
 from . import measure, plot
 from ._arguments import Parameters
-from ._closed_form import Analysis, Regime, analyze, exact, to_radians
+from ._closed_form import Analysis, Regime, amplitude, analyze, exact, to_radians
 from ._core import Kind
 from ._core import version as __version__
 from ._crossings import Crossings, crossings, measured_period
@@ -17,6 +17,7 @@ __all__ = [
     "Regime",
     "Solution",
     "__version__",
+    "amplitude",
     "analyze",
     "crossings",
     "exact",

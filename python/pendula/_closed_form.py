@@ -78,6 +78,25 @@ def exact(theta0: npt.ArrayLike, omega0: npt.ArrayLike, t: npt.ArrayLike, **stif
 
 
 @overload
+def amplitude(tau: float, **stiffness: Unpack[FloatStiffness]) -> np.float64: ...
+@overload
+def amplitude(tau: npt.ArrayLike, **stiffness: Unpack[Stiffness]) -> Array: ...
+@public(*STIFFNESS)
+def amplitude(tau: npt.ArrayLike, **stiffness: Unpack[Stiffness]) -> object:
+    """The amplitude [rad] of the pendulum θ'' = −α sin θ whose period is tau: the inverse of `analyze` for oscillations.
+
+    tau: period [s], finite, at least 2π/√α, that of small swings
+    {parameters}
+    They broadcast.
+
+    Let go at rest from the amplitude, in [0, π], the pendulum swings with this period. It is right to 2 ulp for the doubles
+    given (tests/cpp/analysis_test.cpp), and is the double of π from some 151/√α on. ValueError with the index for a value
+    outside its interval, TypeError for what is no real number.
+    """
+    return _core.amplitude(tau, **with_alpha(stiffness))
+
+
+@overload
 def to_radians(degrees: float) -> np.float64: ...
 @overload
 def to_radians(degrees: npt.ArrayLike) -> Array: ...

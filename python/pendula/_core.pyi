@@ -180,6 +180,11 @@ def sine(
 def energy(
     theta: numpy.typing.ArrayLike | None, omega: numpy.typing.ArrayLike | None, alpha: numpy.typing.ArrayLike | None
 ) -> numpy.typing.NDArray[numpy.float64]: ...
+def amplitude(
+    tau: numpy.typing.ArrayLike | None, alpha: numpy.typing.ArrayLike | None = 1.0
+) -> numpy.typing.NDArray[numpy.float64]:
+    """the inverse of analyze for oscillations"""
+
 def stiffness(
     gravity: numpy.typing.ArrayLike | None, length: numpy.typing.ArrayLike | None
 ) -> numpy.typing.NDArray[numpy.float64]:

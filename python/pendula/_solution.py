@@ -118,12 +118,12 @@ class Solution:
 
 
 @contextmanager
-def _needing(module: str) -> Iterator[None]:
+def _needing(function: str, module: str) -> Iterator[None]:
     """Says what to install where an optional module is missing."""
     try:
         yield
     except ImportError as error:
-        raise ImportError(f"this needs {module}: pip install 'pendula[{module}]'") from error
+        raise ImportError(f"{function} needs {module}; install it with: pip install 'pendula[{module}]'") from error
 
 
 def _html(solution: Solution) -> str:
@@ -165,7 +165,7 @@ def _dimension_names(quantities: Mapping[str, npt.ArrayLike], ndim: int) -> list
 
 
 def _dataset(solution: Solution) -> xarray.Dataset:
-    with _needing("xarray"):
+    with _needing("to_xarray", "xarray"):
         import xarray
     ndim = solution.theta.ndim - 1
     parameters: dict[str, float | Array] = solution.parameters._asdict()
@@ -195,7 +195,7 @@ def _dataset(solution: Solution) -> xarray.Dataset:
 
 
 def _table(solution: Solution) -> pandas.DataFrame:
-    with _needing("pandas"):
+    with _needing("to_dataframe", "pandas"):
         import pandas
     shape = solution.theta.shape
     parameters: dict[str, float | Array] = solution.parameters._asdict()

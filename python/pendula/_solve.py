@@ -34,7 +34,8 @@ def solve(
     """Trajectories of θ'' = −(α + P cos(Ω t + φ)) sin θ − β θ' + μ + Γ cos(Ω t + φ).
 
     {parameters}
-    They broadcast; a pendulum's bits depend on its own values only, and are those of the program.
+    They broadcast, DataArrays by the names of their axes; `Solution.to_xarray` has the labels of DataArrays and Series. A
+    pendulum's bits depend on its own values only, and are those of the program.
 
     The times [s] are `t`, one axis of times that do not decrease, from 0 on (of any sign and order for `exact`); or from 0 to
     `until`, one each `every`. Left out, they are the program's: 1 and 0.02 of the characteristic time. Times that are evenly

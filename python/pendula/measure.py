@@ -205,7 +205,7 @@ def _measure(name: str, theta0: npt.ArrayLike, omega0: npt.ArrayLike, given: Map
         return _core.measure(name, settings, carry=order, theta0=theta0, omega0=omega0, threads=threads, **parameters)
 
     columns = _carried(name, given.get("carry"), compute)
-    _warn_of_nan(MEASURES[name], columns)
+    _warn_of_nan(MEASURES[name], columns, settings)
     return columns
 
 
@@ -231,30 +231,35 @@ def _carried(name: str, carry: str | None, compute: Callable[[str | None], Colum
     return columns
 
 
-def _warn_of_nan(info: _core.Measure, columns: list[Any]) -> None:
-    """A RuntimeWarning where there are pendulums without the number that a measure is called for."""
+# The column whose NaN are told.
+TOLD = {
+    "section": "theta",
+    "mean_velocity": "mean_velocity",
+    "lyapunov": "exponent",
+    "attractors": "rotation",
+    "orbit": "theta",
+}
+
+
+def _warn_of_nan(info: _core.Measure, columns: list[Any], settings: Mapping[str, Any]) -> None:
+    """A RuntimeWarning where there are pendulums without the number that a measure is called for, with the reason."""
     names = [each.name for each in info.columns]
-    told = names.index("theta") if info.name in ("section", "attractors", "orbit") else 0
-    is_nan = np.isnan(columns[told])
+    is_nan = np.isnan(columns[names.index(TOLD[info.name])])
     if not is_nan.any():
         return
-    if info.columns[told].has_rows:
+    if info.name == "section":
         is_nan = is_nan.any(axis=-1)
-    count, size = int(np.sum(is_nan)), int(np.size(is_nan))
-    if "kind" in names:
-        kinds = np.asarray(columns[names.index("kind")])[is_nan]
-        why = ", ".join(f"{n} {Kind(k).name}" for k, n in zip(*np.unique(kinds, return_counts=True), strict=True))
+        is_strobed = settings.get("plane", "strobe") == "strobe"
+        why = Kind.lost.__doc__ if is_strobed else "They do not cross the plane so often within the budget."
+    elif info.name == "orbit":
+        why = "Newton's method finds no periodic orbit from their initial states."
     else:
-        why = REASONS[info.name]
+        kinds, counts = np.unique(np.asarray(columns[names.index("kind")])[is_nan], return_counts=True)
+        why = " ".join(f"{n} {Kind(k).name}: {Kind(k).__doc__}" for k, n in zip(kinds, counts, strict=True))
+    count, size = int(np.sum(is_nan)), int(np.size(is_nan))
     pendulums = "pendulum" if size == 1 else "pendulums"
-    message = f"{info.name}: {count} of {size} {pendulums} have no {names[told]}: {why}"
+    message = f"{info.name}: results are nan for {count} of {size} {pendulums}. {why}"
     warnings.warn(message, RuntimeWarning, stacklevel=_depth_of_caller())
-
-
-REASONS = {
-    "section": "the motion leaves the doubles, or does not cross the plane within the budget",
-    "orbit": "Newton's method does not converge",
-}
 
 
 def _depth_of_caller() -> int:

@@ -8,11 +8,15 @@ using arithmetic::abs;
 
 namespace {
 
+/// Rest is an orbit of period 1.
+bool is_closed(const Settled& on) noexcept { return on.kind == Kind::fixed_point || on.kind == Kind::periodic; }
+
 /// Whether two motions agree in what cannot change along a branch. The rotation of a periodic orbit is a ratio of whole
 /// numbers, rounded.
 bool agree(const Settled& a, const Settled& b) noexcept {
     constexpr double rounding = 0x1p-40;
-    return a.kind == b.kind && (a.kind != Kind::periodic || (a.period == b.period && abs(a.rotation - b.rotation) < rounding));
+    if (!is_closed(a) || !is_closed(b)) return a.kind == b.kind;
+    return a.period == b.period && abs(a.rotation - b.rotation) < rounding;
 }
 
 /// The distance of two states, in theta [rad] and omega/frequency.
@@ -31,9 +35,7 @@ Ensemble ensemble_of(const Pendulum& pendulum, const State& initial) noexcept {
 
 }  // namespace
 
-bool has_orbit(const Settled& on) noexcept {
-    return on.kind == Kind::fixed_point || on.kind == Kind::periodic || on.kind == Kind::rotating;
-}
+bool has_orbit(const Settled& on) noexcept { return is_closed(on) || on.kind == Kind::rotating; }
 
 void Cell::set_far(const Settled& trial) noexcept {
     far = trial;
@@ -71,9 +73,11 @@ double Branches::gap(const Settled& a, const Settled& b, std::size_t member, Thr
     return least;
 }
 
-/// How far apart two motions that agree are: their orbits, or else their rotations, as far as these are known.
+/// How far apart two motions that agree are: their orbits, or the rotations of quasi-periodic motions, as far as these are
+/// known. Other motions do not say on which branch they are.
 double Branches::distance(const Settled& a, const Settled& b, std::size_t member, Thread& thread) const noexcept {
     if (has_orbit(a)) return gap(a, b, member, thread);
+    if (a.kind != Kind::quasi_periodic) return 0;
     const double difference = abs(a.rotation - b.rotation) - (a.error + b.error);
     return difference > 0 ? difference : 0;
 }
@@ -100,7 +104,7 @@ bool Branches::try_newton(Cell& cell, Thread& thread) const noexcept {
     constexpr double reach = 0.25;
     const Settled& near = cell.near;
     const Pendulum pendulum = pendulum_at(cell.member, cell.trial());
-    if (!is_driven(pendulum) || !(near.kind == Kind::periodic || near.kind == Kind::fixed_point)) return false;
+    if (!is_driven(pendulum) || !is_closed(near)) return false;
     PeriodicOrbit orbit;
     if (!refine_within(pendulum, near.point, near.period, reach, strobe_, thread, orbit)) return false;
     Settled trial{cell.trial(), Kind::unsettled, 0, nan, nan, {}};

@@ -1,6 +1,7 @@
 """Arrays of every kind: what is legal is taken as it is, all else is named."""
 
 import inspect
+import math
 import os
 import pydoc
 import re
@@ -68,6 +69,15 @@ def test_scalars_give_scalars_and_arrays_arrays():
     assert pendula.exact(np.empty((0, 3)), 0.5, 2)[0].shape == (0, 3)
 
 
+@pytest.mark.parametrize("method", ["rk4", "taylor", "exact"])
+@pytest.mark.parametrize("dt", [{}, {"dt": 0.1}, {"dt": []}], ids=["no dt", "one dt", "dt of each"])
+def test_no_pendulums_have_the_rows_of_any(method, dt):
+    solution = pendula.solve([], 0.0, every=0.5, until=5, method=method, **dt)
+    assert solution.theta.shape == (0, 11)
+    assert solution.t.shape == (11,)
+    assert pendula.solve([], 0.0, t=[0.0, 1.0], method=method, **dt).theta.shape == (0, 2)
+
+
 def test_arguments_are_not_written_to():
     times = np.linspace(0, 9, 10)
     before = times.copy()
@@ -113,13 +123,14 @@ def test_the_extension_itself_converts_other_formats():
 
 
 def test_a_name_that_is_no_argument_is_told_with_the_nearest_or_with_all():
+    near, far = {"betta": 1.0}, {"xyz": 1.0}
     for call in (pendula.solve, measure.section, measure.lyapunov, pendula.Parameters):
         with pytest.raises(TypeError, match=rf"^'betta' is no argument of {call.__name__}; did you mean 'beta'\?$"):
-            call(0.2, 0.0, betta=1.0)
+            call(0.2, 0.0, **near)
         with pytest.raises(
             TypeError, match=rf"^'xyz' is no argument of {call.__name__}; its arguments are theta0, omega0, alpha"
         ):
-            call(0.2, 0.0, xyz=1.0)
+            call(0.2, 0.0, **far)
 
 
 FUNCTIONS = [pendula.solve, *(getattr(measure, info.name) for info in _core.measures), measure.jumps]
@@ -145,7 +156,7 @@ def test_measures_show_the_cores_defaults():
 
 
 def test_help_begins_with_the_call_and_has_no_types_in_it():
-    first = pydoc.plaintext.document(pendula.solve).splitlines()[0]
+    first = pydoc.plain(pydoc.TextDoc().document(pendula.solve)).splitlines()[0]
     assert first.startswith("solve(theta0, omega0, *, alpha=1.0, gravity=None, length=None, beta=0.0, torque=0.0, ")
     assert "[" not in first
 
@@ -174,6 +185,29 @@ def test_gravity_and_length_are_checked_by_their_names(given, message):
     for call in (pendula.analyze, pendula.solve, measure.section, pendula.Parameters):
         with pytest.raises(ValueError, match=f"^{re.escape(message)}$"):
             call(1, 0, **given)
+
+
+def test_the_amplitude_of_a_period_is_that_of_the_elliptic_integral():
+    """K(1/√2) = Γ(1/4)²/(4√π) is a quarter of the period of the amplitude π/2."""
+    tau = math.gamma(0.25) ** 2 / math.sqrt(math.pi)
+    assert abs(pendula.amplitude(tau) - math.pi / 2) <= 4e-15  # math.gamma is right to some ulp
+    assert same_bits(pendula.amplitude([tau, 2 * tau], alpha=[1, 0.25]), [pendula.amplitude(tau)] * 2)
+    assert pendula.amplitude(tau / 2, gravity=8, length=2) == pendula.amplitude(tau)
+    assert pendula.amplitude(2 * math.pi) == 0
+    assert pendula.amplitude([]).shape == (0,)
+
+
+@pytest.mark.parametrize(
+    ("tau", "message"),
+    [
+        (6.0, "tau must be at least 2 pi/sqrt(alpha), the period of small swings, got 6.0"),
+        ([[7.0, 6.25]], "tau must be at least 2 pi/sqrt(alpha), the period of small swings, got 6.25 at index (0, 1)"),
+        (-1, "tau must be positive and finite, got -1"),
+    ],
+)
+def test_a_period_that_no_pendulum_has_is_refused(tau, message):
+    with pytest.raises(ValueError, match=f"^{re.escape(message)}$"):
+        pendula.amplitude(tau)
 
 
 def test_degrees_become_the_nearest_radians():
@@ -330,22 +364,26 @@ def test_a_motion_that_leaves_the_doubles_is_told():
     assert np.isnan(solution.theta[1, 1:]).all()
 
 
-NO_ORBIT = "Newton's method does not converge"
+UNBOUNDED = "2 of 3 pendulums. 2 unbounded: Without friction: a torque accelerates the motion for ever."
 REASONS = {
-    "section": "1 of 3 pendulums have no theta: the motion leaves the doubles, or does not cross the plane within the budget",
-    "mean_velocity": "2 of 3 pendulums have no mean_velocity: 2 unbounded",
+    "section": "1 of 3 pendulums. The motion leaves the range of doubles.",
+    "mean_velocity": UNBOUNDED,
+    "attractors": UNBOUNDED,
 }
 
 
 @pytest.mark.parametrize(("name", "reason"), REASONS.items())
 def test_measures_that_cannot_be_had_are_told_with_the_reason(name, reason):
-    with pytest.warns(RuntimeWarning, match=f"^{name}: {reason}$") as told:
+    with pytest.warns(RuntimeWarning, match=f"^{name}: results are nan for {re.escape(reason)}$") as told:
         getattr(measure, name)(0.1, 0.0, torque=[0.0, 1.5, 1e308], periods=5, transient=0)
     assert told[0].filename == __file__
 
 
 def test_orbits_that_are_not_found_are_told():
-    with pytest.warns(RuntimeWarning, match=rf"^orbit: 1 of 1 pendulum have no theta: {NO_ORBIT}$") as told:
+    message = (
+        r"^orbit: results are nan for 1 of 1 pendulum\. Newton's method finds no periodic orbit from their initial states\.$"
+    )
+    with pytest.warns(RuntimeWarning, match=message) as told:
         measure.orbit(0.2, 0.0, torque=1.5)  # without friction it turns ever faster
     assert told[0].filename == __file__
 

@@ -1,5 +1,8 @@
 """Labels of xarray and pandas: results have those of the arguments, and the numbers of arrays without."""
 
+# mypy: disable-error-code="attr-defined"
+# Type checkers take the results for arrays.
+
 import re
 
 import numpy as np
@@ -55,6 +58,10 @@ def test_every_public_function_takes_labels():
     assert data.theta.dims == ("start", "friction", "t")
     assert data.sel(start="b", friction=3).theta.equals(data.theta[1, 1])
     assert same_bits(data.beta, BETA)
+    crossings = pendula.crossings(THETA, 0.0, until=5.0)
+    assert crossings.t.dims == ("start", "row")
+    assert pendula.measured_period(THETA, 0.0, until=50.0).dims == ("start",)
+    assert pendula.amplitude(7 + THETA).dims == ("start",)
     alpha = pendula.analyze(0.5, 0.0, gravity=THETA, length=2.0)
     assert same_bits(alpha.tau, pendula.analyze(0.5, 0.0, alpha=THETA.values / 2).tau)
 

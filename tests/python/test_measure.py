@@ -150,6 +150,21 @@ def test_sweeps_are_carried_along_the_last_axis_and_both_ways_along_a_new_one():
     assert measure.mean_velocity(0.0, 0.0, torque=[], carry="up").error.shape == (0,)
 
 
+def test_a_section_by_a_plane_lies_on_it_at_times_of_the_period():
+    period = pendula.analyze(0.2, 0.0).tau
+    found = measure.section(0.2, 0.0, plane="theta", level=0.1, direction="rising", transient=0, periods=5)
+    assert np.all(abs(found.theta - 0.1) <= 1e-14)
+    assert np.all(found.omega > 0)
+    assert np.all(abs(np.diff(found.t) - period) <= 1e-12)
+    with pytest.warns(RuntimeWarning, match=r"^section: results are nan for 1 of 1 pendulum\. They do not cross the plane"):
+        assert np.isnan(measure.section(0.2, 0.0, plane="omega", level=5.0, periods=2).t).all()
+
+
+def test_the_phase_of_the_strobe_shifts_its_times():
+    driven = {"beta": 0.5, "drive_amplitude": 0.9, "drive_frequency": 2.0, "transient": 0, "periods": 2}
+    assert np.all(abs(measure.section(0.2, 0.0, strobe_phase=np.pi / 2, **driven).t - [np.pi / 4, 5 * np.pi / 4]) <= 1e-15)
+
+
 def test_a_jump_is_where_the_fixed_point_vanishes():
     found = measure.jumps(0.0, 0.0, beta=0.2, torque=[0.1, 0.5, 0.9, 1.1], jump_tolerance=1e-9)
     assert np.flatnonzero(~np.isnan(found.value)).tolist() == [3]
@@ -165,7 +180,7 @@ def test_a_jump_is_where_the_fixed_point_vanishes():
         ({"torque": [0.5, 1.5], "beta": [0.1, 0.2]}, "just one parameter must vary along the last axis, got beta, torque"),
         ({"torque": [0.5, 1.5], "carry": "sideways"}, "carry must be one of up, down, both, or None, got 'sideways'"),
         ({"torque": [0.5, 1.5], "jump_tolerance": 0}, "jump_tolerance must be positive and finite, got 0"),
-        ({"drive_phase": [0.5, 1.5]}, "swept must be one of alpha, beta, torque"),
+        ({"drive_phase": [0.5, 1.5]}, "the parameter along the last axis must be one of alpha, beta, torque"),
     ],
 )
 def test_what_has_no_jumps_is_said(given, message):

@@ -65,7 +65,7 @@ def test_a_table_has_a_row_for_each_pendulum_and_time():
 @pytest.mark.parametrize(("module", "convert"), [("xarray", "to_xarray"), ("pandas", "to_dataframe")])
 def test_a_missing_module_is_told_with_what_to_install(monkeypatch, module, convert):
     monkeypatch.setitem(sys.modules, module, None)
-    with pytest.raises(ImportError, match=rf"^this needs {module}: pip install 'pendula\[{module}\]'$"):
+    with pytest.raises(ImportError, match=rf"^{convert} needs {module}; install it with: pip install 'pendula\[{module}\]'$"):
         getattr(pendula.solve(0.1, 0.0, **TIMES), convert)()
 
 

@@ -59,7 +59,7 @@ def said(tmp_path_factory):
     (folder / "program.py").write_text(PROGRAM)
     command = [sys.executable, "-m", "mypy", "--strict", "--config-file=", "--cache-dir=cache", "--no-pretty", "program.py"]
     done = subprocess.run(command, cwd=folder, capture_output=True, text=True, timeout=300)
-    lines = {}
+    lines: dict[int, str] = {}
     for line, words in re.findall(r"^program\.py:(\d+): (?:error|note): (.*)$", done.stdout, re.MULTILINE):
         lines[int(line)] = f"{lines.get(int(line), '')} {words}"
     return lines

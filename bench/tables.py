@@ -196,7 +196,11 @@ TOLERANCES = ("1e-15", "1e-12", "1e-10", "1e-9", "1e-8", "1e-6", "1e-4")
 
 def tolerances_table(best, facts):
     runs = {"undamped": "undamped", "driven": "friction and drive"}
-    cases = {f"{kind}{run}": f"{title}, {name}" for kind, title in (("", "one"), ("ensemble_", "of 256")) for run, name in runs.items()}
+    cases = {
+        f"{kind}{run}": f"{title}, {name}"
+        for kind, title in (("", "one"), ("ensemble_", "of 256"))
+        for run, name in runs.items()
+    }
     lines = [
         "## Taylor, by tolerance",
         "",

@@ -46,6 +46,7 @@ struct Crossings {
     Taylor run;
     Level level{Crossed::theta};
     double at = 0;         ///< the level; of theta, in [-pi, pi)
+    double turns = 0;      ///< of the start; levels of theta are counted from there
     double side = 0;       ///< 2 m + 1 between the levels m and m + 1; 2 m while still on the level m of the start
     double cuts[27] = {};  ///< the ends of the parts of the step, in seconds from its start
     int cut_count = 0;

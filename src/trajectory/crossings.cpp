@@ -126,7 +126,7 @@ double departure(const Crossings& search, const auto& m) noexcept {
 double side_of(const Crossings& search, const auto& m) noexcept {
     const double d = departure(search, m);
     const double sign = d > 0 ? 1 : d < 0 ? -1 : 0;
-    return search.level.crossed == Crossed::theta ? 2 * m.turns + sign : sign;
+    return search.level.crossed == Crossed::theta ? 2 * (m.turns - search.turns) + sign : sign;
 }
 
 bool is_even(double side) noexcept { return side == 2 * round_even(0.5 * side); }
@@ -136,7 +136,7 @@ bool is_even(double side) noexcept { return side == 2 * round_even(0.5 * side); 
 Linear from_level(const Crossings& search, double since, double side) noexcept {
     const auto m = motion_at(search.run, since);
     if (search.level.crossed == Crossed::theta) {
-        const auto turns = DoubleDouble<double>{two_pi_dd[0], two_pi_dd[1]} * (m.turns - 0.5 * side);
+        const auto turns = DoubleDouble<double>{two_pi_dd[0], two_pi_dd[1]} * ((m.turns - search.turns) - 0.5 * side);
         return {(turns + two_sum(m.theta, -search.at) + m.theta_lo).hi, m.omega};
     }
     const auto& step = search.run.step;
@@ -229,6 +229,7 @@ Crossings make_crossings(const Pendulum& pendulum, State initial, const Level& l
     search.level = level;
     search.at = level.crossed == Crossed::theta ? wrap(level.at) : level.at;
     if (is_legal && rests_on_top(pendulum, initial)) rest(search.run.step);
+    search.turns = search.run.step.start.turns;
     search.side = side_of(search, search.run.step.start);
     cut_step(search);
     return search;

@@ -185,6 +185,17 @@ TEST(Crossings, OfAnAngleAreThoseOfTheAngleWithoutItsTurns) {
     }
 }
 
+TEST(Crossings, FarFromTheBottomAreThoseOfTheAngleWithoutItsTurns) {
+    for (double theta : {1e9, -3e15, 2.8e16}) {  // up to 2^52 turns
+        const double start = wrap(theta);
+        const auto near = all_crossings({}, {start, 2.5}, {Crossed::theta, 0.5}, 50);
+        const auto far = all_crossings({}, {theta, 2.5}, {Crossed::theta, 0.5}, 50);
+        ASSERT_GT(near.size(), 5u);
+        ASSERT_EQ(far.size(), near.size()) << theta;
+        for (std::size_t i = 0; i < near.size(); ++i) EXPECT_EQ(far[i].sample.t, near[i].sample.t);
+    }
+}
+
 TEST(Crossings, InOneDirectionAreThoseOfBothWithoutTheOthers) {
     const Pendulum p{.beta = 0.1, .torque = 0.05, .drive_amplitude = 1, .drive_frequency = 0.7};
     for (Crossed crossed : {Crossed::theta, Crossed::omega}) {

@@ -334,4 +334,4 @@ class Jumps(NamedTuple):
     before: Kind | npt.NDArray[np.int8]
     """what becomes of the motion before; Kind(k).name is the word for an element k."""
     after: Kind | npt.NDArray[np.int8]
-    """what becomes of the motion behind; Kind(k).name is the word for an element k."""
+    """what becomes of the member's motion; Kind(k).name is the word for an element k."""

@@ -49,7 +49,8 @@ void print_shares(Run& run) {
     const Members members = members_of(run.sweep, run.done, run.at_hand);
     const auto results = results_of(run, members.ensemble, run.strobe);
     const Sweep sets = pendulums_of(run.sweep);
-    const double of_set = static_cast<double>(run.sweep.size / sets.size);
+    const std::size_t starts = run.sweep.size / sets.size;
+    const auto of_set = static_cast<double>(starts);
     std::size_t printed = 0;
     for (const auto& [key, ending] : endings_of(run, sets, results)) {
         const std::size_t set = std::get<0>(key);

@@ -20,7 +20,8 @@ struct SectionCall {
     /// The state of place i of a chunk, which has come to strobe number n.
     static Sample state_at(const StrobedMembers& m, int i, double n) noexcept {
         const auto& motion = m.chunk.motion;
-        return {time_of_strobe(m, i, n), motion.theta[i], motion.omega[i], motion.turns[i]};
+        const double turns = motion.turns[i] + 0 * motion.theta[i];  // NaN if the motion is lost
+        return {time_of_strobe(m, i, n), motion.theta[i], motion.omega[i], turns};
     }
 
     void strobe_rows(StrobedMembers& m, const Propagation& run) const noexcept {

@@ -93,7 +93,7 @@ struct Run {
     double time_of(double level) const noexcept {
         double low = 0, high = taylor.step.length, since = 0.5 * high;
         for (int i = 0; i < 100; ++i) {
-            const auto m = kernels::motion_at(taylor.step, since);
+            const auto m = motion_at(taylor, since);
             const double ahead = (m.turns - level) * 2 * pi + m.theta + m.theta_lo;
             if (ahead == 0) break;
             (ahead < 0 ? low : high) = since;
@@ -107,7 +107,7 @@ struct Run {
     /// Enters a passage. Returns whether a whole turn ends with it.
     bool pass(double level) noexcept {
         const double since = time_of(level);
-        const auto m = kernels::motion_at(taylor.step, since);
+        const auto m = motion_at(taylor, since);
         const Passage now{(DoubleDouble<double>{taylor.step.t, taylor.step.t_lo} + since).hi, m.omega, level};
         const bool is_turn = last.omega > 0 && now.level == last.level + 1 && m.omega > 0;
         if (is_turn) {
@@ -138,7 +138,7 @@ struct Run {
                 if (!thread.goes_on()) return Ending::stopped;
             }
             add_to_slope(step_now);
-            const auto end = kernels::motion_at(step_now, step_now.length);
+            const auto end = motion_at(taylor, step_now.length);
             const auto side = [](const auto& m) { return m.turns + (m.theta >= 0 ? 0.5 : -0.5); };
             const double from = side(step_now.start), to = side(end);
             bool is_turn = false;
@@ -190,7 +190,7 @@ Fate resting(const Slope& slope, double sign) noexcept {
     const double half = 0.5 * slope.p.beta, root = sqrt(slope.curve), square = (half - root) * (half + root);
     const double exponent = 0 - (square > 0 ? slope.curve / (half + sqrt(square)) : half);
     const double noise = 0x1p-51 * (half + root) * half;
-    const double error = square > noise ? noise / sqrt(square) : square > -noise ? 2 * sqrt(noise) : 0;
+    const double error = square > noise ? noise / sqrt(square) * (abs(exponent) / half) : square > -noise ? 2 * sqrt(noise) : 0;
     set_exponent(fate, {exponent, error + 0x1p-50 * abs(exponent)}, slope.p);
     return fate;
 }

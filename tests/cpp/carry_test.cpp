@@ -8,19 +8,11 @@ namespace {
 
 using namespace reference;
 
-using Columns = std::vector<std::vector<double>>;
-
-/// All columns of a carried measure, in its order.
-Columns carried(Measure what, const Flock& flock, std::size_t line, Carry carry, const Strobe& strobe,
-                const Control& control = {}) {
-    Columns columns;
-    for (const auto& column : measures[static_cast<std::size_t>(what)].columns)
-        columns.emplace_back(rows_of(column, strobe) * flock.size());
-    const std::vector<std::span<double>> results(columns.begin(), columns.end());
-    const auto outcome =
-        measure_carried(what, flock.ensemble(), line, carry, strobe, std::span<const std::span<double>>(results), control);
-    EXPECT_TRUE(outcome.is_done()) << describe(outcome.refusal);
-    return columns;
+Table carried(Measure what, const Flock& flock, std::size_t line, Carry carry, const Strobe& strobe,
+              const Control& control = {}) {
+    return filled(what, flock, strobe, [&](const Ensemble& e, const Results& r) {
+        return measure_carried(what, e, line, carry, strobe, r, control);
+    });
 }
 
 /// A Josephson junction: alpha = 1, beta = 0.2.
@@ -48,8 +40,7 @@ TEST(CarriedSweep, OfOneMemberIsTheMeasure) {
     flock.drive_phase = {1};
     for (const auto& info : measures) {
         const auto alone = measured(info.measure, flock, quick);
-        const auto one = carried(info.measure, flock, 1, Carry::up, quick);
-        for (std::size_t i = 0; i < alone.size(); ++i) EXPECT_TRUE(same_bits(alone[i], one[i])) << info.name << ' ' << i;
+        EXPECT_TRUE(same_bits(carried(info.measure, flock, 1, Carry::up, quick), alone)) << info.name;
     }
 }
 
@@ -66,11 +57,10 @@ TEST(CarriedSweep, StartsEachMemberWhereItsNeighbourEnded) {
             alone.omega = {end.omega};
             alone.drive_phase = {phase};
             const auto points = section_of(alone, quick);
-            for (std::size_t row = 0; row < points.theta.size(); ++row) {
-                EXPECT_EQ(section[0][3 * row + k], points.theta[row]);
-                EXPECT_EQ(section[1][3 * row + k], points.omega[row]);
-            }
-            end = {points.theta.back(), points.omega.back()};
+            for (const char* name : {"theta", "omega"})
+                for (std::size_t row = 0; row < points[name].size(); ++row)
+                    EXPECT_EQ(section[name][3 * row + k], points[name][row]);
+            end = {points["theta"].back(), points["omega"].back()};
             phase = quick.phase;
         }
     }
@@ -84,19 +74,20 @@ TEST(CarriedSweep, HasTheSameBitsFromAnyThreadsAndBesideAnyLines) {
     for (Measure what : {Measure::mean_velocity, Measure::attractors}) {
         const auto one = carried(what, flock, 4, Carry::up, quick, {.threads = 1});
         const auto many = carried(what, flock, 4, Carry::up, quick, {.threads = 7});
-        for (std::size_t i = 0; i < one.size(); ++i) EXPECT_TRUE(same_bits(one[i], many[i])) << i;
+        EXPECT_TRUE(same_bits(one, many));
         for (std::size_t l : {0, 77, 149}) {
             const auto alone = carried(what, junctions({frictions[l]}, torques), 4, Carry::up, quick);
-            for (std::size_t i = 0; i < one.size(); ++i)
-                EXPECT_EQ(std::memcmp(alone[i].data(), one[i].data() + 4 * l, 4 * sizeof(double)), 0) << l << ' ' << i;
+            for (std::size_t i = 0; i < one.columns.size(); ++i)
+                EXPECT_EQ(std::memcmp(alone.columns[i].data(), one.columns[i].data() + 4 * l, 4 * sizeof(double)), 0)
+                    << l << ' ' << i;
         }
     }
 }
 
 TEST(CarriedSweep, OfAJunctionHasHysteresis) {
     const auto torques = linspace(0.05, 1.15, 12);
-    const auto up = carried(Measure::mean_velocity, junction(torques), 12, Carry::up, {100, 100})[0];
-    const auto down = carried(Measure::mean_velocity, junction(torques), 12, Carry::down, {100, 100})[0];
+    const auto up = carried(Measure::mean_velocity, junction(torques), 12, Carry::up, {100, 100})["mean_velocity"];
+    const auto down = carried(Measure::mean_velocity, junction(torques), 12, Carry::down, {100, 100})["mean_velocity"];
     for (std::size_t i = 0; i < 12; ++i) {
         const double torque = torques[i];
         EXPECT_EQ(up[i] > 0.5, torque > 1) << torque;               // the fixed point vanishes at alpha
@@ -110,7 +101,7 @@ TEST(CarriedSweep, LeavesAStateOfRestThatHasBecomeUnstable) {
         .theta = {0.1}, .beta = {0.2}, .pivot_amplitude = {0, 0.1, 0.2, 0.3, 0.5, 0.7, 0.9}, .drive_frequency = {2}};
     const auto points = carried(Measure::attractors, flock, 7, Carry::up, {300, 100});
     for (std::size_t i = 0; i < 7; ++i) {
-        const double size = std::abs(points[4][i]) + std::abs(points[5][i]);
+        const double size = std::abs(points["theta"][i]) + std::abs(points["omega"][i]);
         EXPECT_EQ(size > 0.1, flock.pivot_amplitude[i] > 0.4) << i;
         EXPECT_EQ(size < 1e-6, flock.pivot_amplitude[i] <= 0.4) << i;
     }
@@ -121,8 +112,8 @@ TEST(CarriedSweep, StartsAgainBehindALostMotion) {
     Flock flock{.theta = {0.5}, .beta = {0.5}, .torque = {0.1, 1e308, 0.1}};
     flock.beta = {0.5, 0, 0.5};
     const auto points = carried(Measure::section, flock, 3, Carry::up, quick);
-    EXPECT_TRUE(std::isnan(points[0][1]));
-    EXPECT_EQ(points[0][0], points[0][2]);
+    EXPECT_TRUE(std::isnan(points["theta"][1]));
+    EXPECT_EQ(points["theta"][0], points["theta"][2]);
 }
 
 TEST(CarriedSweep, TellsItsProgressAndStops) {

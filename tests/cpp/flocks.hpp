@@ -61,16 +61,23 @@ class Table {
     const MeasureInfo* info_;
 };
 
-inline Table measured(Measure what, const Flock& flock, const Strobe& strobe, const Control& control = {}) {
+/// A table that run(ensemble, results) fills.
+template <class Run>
+Table filled(Measure what, const Flock& flock, const Strobe& strobe, const Run& run) {
     Table table(what);
     std::vector<std::span<double>> results;
     for (std::size_t i = 0; i < table.columns.size(); ++i) {
         table.columns[i].resize(rows_of(measures[static_cast<std::size_t>(what)].columns[i], strobe) * flock.size());
         results.emplace_back(table.columns[i]);
     }
-    const auto outcome = measure(what, flock.ensemble(), strobe, std::span<const std::span<double>>(results), control);
+    const Outcome outcome = run(flock.ensemble(), std::span<const std::span<double>>(results));
     EXPECT_TRUE(outcome.is_done()) << describe(outcome.refusal);
     return table;
+}
+
+inline Table measured(Measure what, const Flock& flock, const Strobe& strobe, const Control& control = {}) {
+    return filled(what, flock, strobe,
+                  [&](const Ensemble& e, const Results& r) { return measure(what, e, strobe, r, control); });
 }
 
 inline Table section_of(const Flock& flock, const Strobe& strobe, const Control& control = {}) {

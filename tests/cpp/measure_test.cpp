@@ -126,7 +126,7 @@ TEST(Measures, AreNaNWhereTheMotionLeavesTheDoublesAndNowhereElse) {
             expect_member(all, 0, 3, measured(what, published({0.1}), strobe));
             for (std::size_t c = 0; c < all.columns.size(); ++c) {
                 const std::string name = measures[static_cast<int>(what)].columns[c].name;
-                if (name == "t" || name == "turns") continue;
+                if (name == "t") continue;
                 EXPECT_FALSE(std::isnan(all.columns[c].front())) << name;
                 for (std::size_t i : {1u, 2u}) {
                     if (name == "kind")
@@ -139,6 +139,17 @@ TEST(Measures, AreNaNWhereTheMotionLeavesTheDoublesAndNowhereElse) {
             }
         }
     }
+}
+
+TEST(ShareError, IsWilsonsInterval) {
+    // By SciPy: binomtest(count, trials).proportion_ci(method="wilson"), the farther end from count/trials.
+    const struct {
+        double count, trials, error;
+    } cases[] = {{0, 10, 0.27753279986288926},     {1, 10, 0.3041500267952385},      {5, 10, 0.26340690948743606},
+                 {123, 256, 0.061037474653622525}, {256, 256, 0.014783856425871433}, {3, 10000, 0.0005817357722363798},
+                 {1, 1, 0.7934506856227626},       {40, 100, 0.09799741320893818}};
+    for (const auto& c : cases)
+        EXPECT_NEAR(share_error(c.count, c.trials), c.error, 4e-5 * c.error) << c.count;  // 1.96 for 1.959964
 }
 
 }  // namespace

@@ -75,7 +75,8 @@ TEST(Undriven, ThatComeToRestHaveNoVelocityAndTheEigenvaluesOfTheirEquilibrium) 
                  {1, 3, -0.6, -1.5 + std::sqrt(2.25 - 0.8)},
                  {1, 100, 0.6, -0.00800064010242048459}};  // -50 + sqrt(2500 - 0.8), by mpmath
     for (const auto& c : cases) {
-        const Flock flock{.theta = {0.4, -0.5}, .omega = {0.1, -0.2}, .alpha = {c.alpha}, .beta = {c.beta}, .torque = {c.torque}};
+        const Flock flock{
+            .theta = {0.4, -0.5}, .omega = {0.1, -0.2}, .alpha = {c.alpha}, .beta = {c.beta}, .torque = {c.torque}};
         const auto velocity = velocity_of(flock, {}), found = exponent_of(flock, {});
         for (int i : {0, 1}) {
             EXPECT_EQ(velocity["mean_velocity"][i], 0);
@@ -88,6 +89,19 @@ TEST(Undriven, ThatComeToRestHaveNoVelocityAndTheEigenvaluesOfTheirEquilibrium) 
             EXPECT_EQ(found["dimension"][i], 0);
         }
     }
+}
+
+TEST(Undriven, ExponentsWhereTwoEigenvaluesMeetAreWithinTheirErrors) {
+    // -1 - x + sqrt(2 x + x^2) for friction 2 + 2 x.
+    const Flock flock{.theta = {0.5}, .beta = {2, 2 + 0x1p-30, 2 - 0x1p-30, 2 + 0x1p-51}};
+    const double x = 0x1p-31,
+                 exponents[] = {-1, -1 - x + 0x1p-15 * (1 + 0x1p-33), -1 + x, -1 - 0x1p-52 + 0x1p-25 * std::sqrt(0.5)};
+    const auto found = exponent_of(flock, {});
+    for (int i : {0, 1, 2, 3}) {
+        EXPECT_NEAR(found["exponent"][i], exponents[i], found["error"][i]) << i;
+        EXPECT_LE(found["error"][i], 1e-7) << i;
+    }
+    EXPECT_LE(found["error"][1], 1e-10);
 }
 
 TEST(Undriven, LimitCyclesHaveTheExponents0AndMinusTheFriction) {

@@ -68,4 +68,32 @@ TEST(MeanVelocity, HasShapiroStepsOfBesselWidthAtHighFrequency) {
     }
 }
 
+TEST(MeanVelocity, OfQuasiPeriodicMotionsIsWithinASmallError) {
+    // Rotation numbers by SciPy: DOP853 with rtol = 3e-14 for 1500 periods, and the weighted mean exp(-1/(s (1 - s))). That of
+    // the frictionless pendulum, whose energy drifts in SciPy, is extrapolated from means over three lengths.
+    const struct {
+        double beta, torque, amplitude, frequency, omega, rotation, slack;
+    } cases[] = {{0.5, 1.2, 0.1, 1, 1, 2.364133034454745, 1e-14},
+                 {0.3, 0.9, 0.2, 0.7, 3, 4.258479172150220, 1e-14},
+                 {0, 0, 0.05, 1, 3, 2.604141817614, 1e-12}};
+    for (const auto& strobe : {Strobe{.periods = 400}, Strobe{.periods = 400, .method = Method::rk4}})
+        for (const auto& c : cases) {
+            const Flock flock{.omega = {c.omega},
+                              .beta = {c.beta},
+                              .torque = {c.torque},
+                              .drive_amplitude = {c.amplitude},
+                              .drive_frequency = {c.frequency}};
+            const auto found = attractors_of(flock, strobe);
+            const double slack = strobe.method == Method::rk4 ? 1e-9 : c.slack;  // some (2 pi rotation/1000)^4/120 of rk4
+            EXPECT_EQ(found.kind(0), Kind::quasi_periodic) << c.beta;
+            EXPECT_NEAR(found["rotation"][0], c.rotation, found["error"][0] + slack) << c.beta;
+            EXPECT_LT(found["error"][0], 1e-8) << c.beta;
+            EXPECT_LE(std::abs(found["exponent"][0]), found["exponent_error"][0]) << c.beta;
+            EXPECT_EQ(found["label"][0], 0);
+            const auto velocity = velocity_of(flock, strobe);
+            EXPECT_EQ(velocity["mean_velocity"][0], found["rotation"][0] * c.frequency);
+            EXPECT_EQ(velocity["error"][0], found["error"][0] * c.frequency);
+        }
+}
+
 }  // namespace

@@ -154,6 +154,7 @@ def jumps(
     ValueError with the index for a value outside its interval, TypeError for what is no real number.
     """
     settings, parameters = _parted(given)
+    _require_used(settings)
     starts = {"theta0": theta0, "omega0": omega0}
     swept = [name for name, value in (starts | parameters).items() if np.ndim(value) > 0 and np.shape(value)[-1] != 1]
     if len(swept) != 1:
@@ -199,6 +200,7 @@ def shares(label: npt.ArrayLike, *, axis: int | Sequence[int] | None = None) -> 
 def _measure(name: str, theta0: npt.ArrayLike, omega0: npt.ArrayLike, given: Mapping[str, Any]) -> list[Any]:
     """The columns of a measure, with a warning where there are NaN."""
     settings, parameters = _parted(given)
+    _require_used(settings)
     threads = given.get("threads")
 
     def compute(order: str | None) -> Columns:
@@ -214,6 +216,20 @@ def _parted(given: Mapping[str, Any]) -> tuple[dict[str, Any], dict[str, Any]]:
     pendulum = {each.name for each in PENDULUM}
     settings = {name: value for name, value in given.items() if name not in pendulum and name not in ("carry", "threads")}
     return settings, with_alpha({name: value for name, value in given.items() if name in pendulum})
+
+
+def _require_used(settings: Mapping[str, Any]) -> None:
+    """Raises ValueError for a setting that would change nothing, or that its method does not have."""
+    method = settings.get("method", _core.strobe_method_names[0])
+    by_plane = settings.get("plane", "strobe") != "strobe"
+    if by_plane and method == "rk4":
+        raise ValueError("plane needs method taylor, which finds the crossings between its steps")
+    for name in ("level", "direction"):
+        if name in settings and not by_plane:
+            raise ValueError(f"{name} is for a section by a plane: it needs plane theta or omega")
+    for name, other in (("steps_per_period", "taylor"), ("tolerance", "rk4")):
+        if name in settings and method == other:
+            raise ValueError(f"{name} does not go with method {other}")
 
 
 def _carried(name: str, carry: str | None, compute: Callable[[str | None], Columns]) -> list[Any]:

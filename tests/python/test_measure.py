@@ -10,7 +10,7 @@ from pendula import _core, measure
 
 DRIVEN = {"beta": 0.5, "drive_frequency": 2 / 3}
 AMPLITUDES = np.array([[0.9, 1.07, 1.15], [1.35, 1.45, 1.5]])
-SHORT = {"transient": 20, "periods": 8, "steps_per_period": 200}
+SHORT = {"transient": 20, "periods": 8, "method": "rk4", "steps_per_period": 200}
 MEASURES = {
     "section": measure.section,
     "mean_velocity": measure.mean_velocity,
@@ -69,7 +69,7 @@ def test_the_history_of_an_exponent_that_is_known_is_this_exponent():
 
 def test_labels_are_of_each_pendulum_by_itself():
     starts = np.linspace(-3, 3, 7)
-    long = {"transient": 300, "periods": 64, "steps_per_period": 200}
+    long = {"transient": 300, "periods": 64, "method": "rk4", "steps_per_period": 200}
     together = measure.attractors(starts, 0.0, drive_amplitude=[[1.07], [0.9]], **DRIVEN, **long).label
     for row, amplitude in zip(together, (1.07, 0.9), strict=True):
         assert same_bits(row, measure.attractors(starts, 0.0, drive_amplitude=amplitude, **DRIVEN, **long).label)
@@ -86,7 +86,12 @@ def test_labels_are_of_each_pendulum_by_itself():
         ({"method": "exact"}, "method must be one of taylor, rk4, got 'exact'"),
         ({"method": "rk5"}, "method must be one of taylor, rk4, got 'rk5'; did you mean 'rk4'?"),
         ({"plane": "thta"}, "plane must be one of strobe, theta, omega, got 'thta'; did you mean 'theta'?"),
-        ({"direction": 3}, "direction must be one of both, rising, falling, got 3"),
+        ({"direction": "rising"}, "direction is for a section by a plane: it needs plane theta or omega"),
+        ({"level": 1.0}, "level is for a section by a plane: it needs plane theta or omega"),
+        ({"plane": "theta", "method": "rk4"}, "plane needs method taylor, which finds the crossings between its steps"),
+        ({"steps_per_period": 100}, "steps_per_period does not go with method taylor"),
+        ({"tolerance": 0.1, "method": "rk4"}, "tolerance does not go with method rk4"),
+        ({"plane": "theta", "direction": 3}, "direction must be one of both, rising, falling, got 3"),
         ({"carry": "upp"}, "carry must be one of up, down, both, or None, got 'upp'"),
         ({"threads": -1}, "threads must be a whole number from 1 to 256, got -1"),
         ({"alpha": [1.0, 0.0]}, r"alpha must be positive and finite, got 0 at index (1,)"),
@@ -110,7 +115,7 @@ def test_each_pendulum_is_checked_as_if_it_stood_alone():
 @pytest.mark.parametrize("name", ["transient", "periods", "steps_per_period", "tolerance"])
 def test_a_setting_that_is_no_number_is_a_type_error(name):
     with pytest.raises(TypeError, match=f"^{name} must be a real number, got <U1 '3'$"):
-        measure.section(0.2, 0.0, **{name: "3"})
+        measure.section(0.2, 0.0, **{name: "3", "method": "taylor" if name == "tolerance" else "rk4"})
 
 
 def test_a_history_has_no_more_rows_than_periods():
@@ -233,4 +238,4 @@ def test_a_driven_pendulum_has_no_closed_form():
 
 
 def test_no_pendulums_have_no_results_at_once():
-    assert pendula.measure.section(np.zeros(0), 0.0, transient=0, periods=2**50, steps_per_period=3).theta.size == 0
+    assert pendula.measure.section(np.zeros(0), 0.0, transient=0, periods=2**50).theta.size == 0

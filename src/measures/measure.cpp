@@ -90,10 +90,12 @@ Refusal check_results(const MeasureInfo& info, const MeasureCall& call) noexcept
                 .value = static_cast<double>(call.columns.size()),
                 .least = static_cast<double>(least)};
     for (std::size_t i = 0; i < info.columns.size(); ++i) {
-        if (info.columns[i].is_detail && !call.has(i)) continue;
+        // A history is a detail too, but whoever asks for rows of it wants them.
+        if (info.columns[i].is_detail && info.columns[i].rows != ResultColumn::Rows::history && !call.has(i)) continue;
         const double values =
             static_cast<double>(rows_of(info.columns[i], call.strobe)) * static_cast<double>(call.ensemble.size);
-        if (const auto refusal = check_length(call.columns[i], values, info.columns[i].name)) return refusal;
+        const auto values_given = call.has(i) ? call.columns[i] : std::span<double>();
+        if (const auto refusal = check_length(values_given, values, info.columns[i].name)) return refusal;
     }
     return {};
 }

@@ -252,6 +252,15 @@ TEST(Refusals, OfArraysThatAreTooShortOrNotThere) {
             "history", 0, 6);
 }
 
+TEST(Refusals, OfNoDetailsThatAreLeftOut) {
+    double velocity[3], error[3], others[3];
+    const Ensemble rotations{.size = 3, .omega = 3.0};
+    EXPECT_TRUE(measure(Measure::mean_velocity, rotations, {}, {velocity, error}).is_done());
+    EXPECT_TRUE(measure(Measure::mean_velocity, rotations, {}, {others, error, {}, {}}).is_done());
+    for (int i : {0, 1, 2}) EXPECT_EQ(velocity[i], others[i]);
+    EXPECT_NEAR(velocity[0], 2.6040081905309407, 1e-14);  // twice the arithmetic-geometric mean of 3/2 and sqrt(5)/2
+}
+
 TEST(Refusals, OfWhatNoMeasureDoes) {
     double a[1];
     const auto refusal = [&](const Strobe& strobe, Measure what = Measure::mean_velocity) {

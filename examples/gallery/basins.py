@@ -12,7 +12,7 @@ import pendula
 from matplotlib import pyplot
 
 AMPLITUDE = 1.3636363636363635
-theta, omega = np.linspace(-np.pi, np.pi, 240), np.linspace(-4, 4, 240)
+theta, omega = np.linspace(-np.pi, np.pi, 160), np.linspace(-4, 4, 160)
 found = pendula.measure.attractors(theta, omega[:, np.newaxis], beta=0.2, drive_amplitude=AMPLITUDE, drive_frequency=0.5)
 figure, ax = pyplot.subplots(figsize=(7, 5.5), layout="constrained")
 pendula.plot.map(theta, omega, found.label, ax=ax, names=("theta", "omega", "label"))

@@ -1,4 +1,4 @@
-"""A driven pendulum's way to chaos by doubling its period, and back, with its branches in both directions: bifurcation.py DIRECTORY.
+"""A driven pendulum's way to chaos by doubling its period, with its branches in both directions: bifurcation.py DIRECTORY.
 
 The pendulum of Baker & Gollub, Chaotic dynamics (Cambridge, 2nd edition, 1996), chapter 3, with their q = 2 and 2/3 of the
 natural frequency. Each amplitude starts from where its neighbour ended; where the two colours differ there is hysteresis.

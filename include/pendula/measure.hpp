@@ -268,10 +268,10 @@ class Results {
 ///   conservative motion has the exponents 0 (on the separatrix +-sqrt(alpha)) and the velocity of the closed form.
 /// - On all other orbits the numbers are means over the measured periods, with errors from their scatter and their drift.
 ///
-/// An error is a bound that covers the true value of the equation for the doubles given. Means are covered in at least 95 % of
-/// the cases of each kind (docs/calibration.md), everything else always. With method `rk4` it covers the value of the map that
-/// rk4 makes; the error of the method itself is not included. It is 0 where only the last rounding is left. A number that
-/// cannot be had is NaN, and the kind says why.
+/// An error is a bound that covers the true value of the equation for the doubles given; a pendulum that `rests_on_top`
+/// (analysis.hpp) counts as exactly there. Means are covered in at least 95 % of the cases of each kind (docs/calibration.md),
+/// everything else always. With method `rk4` it covers the value of the map that rk4 makes; the error of the method itself is
+/// not included. It is 0 where only the last rounding is left. A number that cannot be had is NaN, and the kind says why.
 ///
 /// *mean_velocity* [rad/s]: divided by drive_frequency it is the rotation number; for a Josephson junction it is the voltage.
 ///

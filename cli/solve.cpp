@@ -28,7 +28,9 @@ std::vector<TableColumn> read_columns(const Options& options) {
     return chosen;
 }
 
-Layout read_layout(const Options& options) { return {read_columns(options), style_of(options)}; }
+Layout read_layout(const Options& options) {
+    return {read_columns(options), style_of(options), !is_given(options, "--dry-run")};
+}
 
 void read_duration(const Options& options, std::string_view factor, std::string_view time, Duration& duration) {
     refuse_both(options, factor, time);

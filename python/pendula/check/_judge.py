@@ -1,37 +1,57 @@
-"""Marks a table: what is wrong with its layout, states, times and sinusoid, each mistake told once."""
+"""Marks a table: what is wrong with its layout, times, states, their printing and the sinusoid, each mistake told once."""
 
 from __future__ import annotations
 
-from itertools import product
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from pendula.check._findings import ERROR, Finding, Value, error, remark
-from pendula.check._mistakes import SINUSOIDS, Reading, explain
-from pendula.check._problem import (
-    PERIOD,
-    Asked,
-    Deviation,
-    Start,
-    deviations,
-    fits,
-    right_at_times,
-    right_sine,
-    sine_fits,
+from pendula import _core
+from pendula.check._explain import (
+    AS_ASKED,
+    Explanation,
+    Prediction,
+    explanations,
+    in_single_precision,
+    misfits,
+    not_judged_from,
+    regime_of,
+    right_prediction,
     wrap,
+    wrong_locally,
 )
+from pendula.check._finding import ERROR, Finding, Where, error, remark
+from pendula.check._fit import fitted
+from pendula.check._program import RIGHT, Problem, Start, taken
+from pendula.check._sinusoid import angle, right_sinusoid, wrong_sinusoids
+from pendula.check._sinusoid import fits as sine_fits
 from pendula.check._table import ROLES, WORDS, Column, Columns, columns_at, placements, roles_of
+from pendula.check._timing import Timing, timings
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Sequence
 
-    from pendula.check._table import Floats, Integers, Table
+    import numpy.typing as npt
+
+    from pendula.check._program import Floats, Integers
+    from pendula.check._table import Table
 
 FEW_DIGITS = 5
+MOST_PLACEMENTS = 12
+WRONG_CELLS = 0.05  # of the rows: so few wrong ones among right ones are cells, and no mistake of the program
 
-# Mistakes after which the sinusoid has the wrong period, too.
-OWN_PERIODS = ("period doubled", "period halved", "series not begun", "series cut", "tau")
+
+class Deviation(NamedTuple):
+    """How far a column is from what it should be."""
+
+    right: int
+    """Rows that are as they should be."""
+    first_wrong: int | None
+    """The first row that is not."""
+    wanted: Floats
+    """What should be there."""
+    from_exact: float
+    """The largest distance from the closed form [rad, rad/s]."""
 
 
 class Judgement(NamedTuple):
@@ -40,6 +60,9 @@ class Judgement(NamedTuple):
     findings: list[Finding]
     deviations: dict[str, Deviation]
     """By the columns' roles."""
+    columns: Columns | None = None
+    digits: int = 6
+    """With how many its numbers are told."""
 
     @property
     def is_right(self) -> bool:
@@ -47,214 +70,308 @@ class Judgement(NamedTuple):
         return all(finding.severity != ERROR for finding in self.findings)
 
 
-def judge(problem: Asked, table: Table) -> Judgement:
-    """Compares every column with the truth and, where they differ, finds the mistake that explains it."""
-    findings = _judge_header(problem, table)
-    found = ((name, columns_at(table, places)) for name, places in placements(table, problem.regime == -1))
-    candidates = [(name, columns) for name, columns in found if columns is not None]
-    if not candidates:
+class View(NamedTuple):
+    """A table's columns, compared with what is right at its times."""
+
+    columns: Columns
+    places: Floats
+    """The numbers of the rows."""
+    timing: Timing
+    wanted: Prediction
+    wrong: tuple[npt.NDArray[np.bool_], ...]
+    """Rows in which angle and velocity are not right."""
+    judged: int
+    """Rows before the first that cannot be judged."""
+
+
+def judge(problem: Problem, table: Table) -> Judgement:
+    """Predicts every column and, where the table differs, finds the program that prints it."""
+    findings = _of_header(problem, table)
+    found = []
+    for name, places in placements(table, problem.regime == -1):
+        columns = columns_at(table, places)
+        if columns is not None and len(found) < MOST_PLACEMENTS:
+            found.append((name, columns))
+    if not found:
         return Judgement([*findings, error("columns", found=table.values.shape[1])], {})
     # As the header says or, where only that makes the states right, in another order.
-    name, columns = next((each for each in candidates if _is_right(problem, each[1])), candidates[0])
+    views = [(name, _view(problem, table, columns)) for name, columns in found]
+    name, view = next((each for each in views if _is_right(each[1])), views[0])
     if name:
         findings.append(error(name, header=" ".join(table.header)))
-    lost = np.setdiff1d(table.lines, columns.lines)
-    findings += _judge_rows(table, columns, lost)
-    reading = explain(problem, columns)
-    off = deviations(problem, columns)
-    findings += _judge_states(columns, reading, off)
-    taken = reading.explanation.start(problem.start) if reading else problem.start
-    times = reading.times if reading else columns.t
-    in_time = [] if lost.size else judge_times(problem, taken, times, columns.sine is not None)
-    is_single = reading is not None and reading.explanation.name == "single precision"
-    if is_single:  # its sums of times are inaccurate, too
-        in_time = [finding for finding in in_time if finding.name not in (*OWN_PERIODS, "uneven rows")]
-    findings += in_time
-    times = _in_own_periods(taken, times, in_time)
-    if all(finding.name != "regime" for finding in findings):
-        findings += _judge_sine(problem, taken, columns, times, is_single)
-    return Judgement(findings, off)
+    findings += _of_rows(table, view.columns)
+    findings += _of_states(problem, view)
+    off = _deviations(problem, view)
+    return Judgement(findings, off, view.columns, max(view.columns.digits, 3))
 
 
 # Layout.
 
 
-def _judge_header(problem: Asked, table: Table) -> list[Finding]:
+def _of_header(problem: Problem, table: Table) -> list[Finding]:
     """Remarks on the header; nothing is wrong with a table that lacks one."""
+    findings = [Finding(name, values, *_severity(name)) for name, values in getattr(table, "notes", ())]
     has_sine = "sine" in roles_of(table.header) if table.header else problem.regime == -1
     words = WORDS if has_sine else WORDS[:3]
     if not table.header:
-        return [remark("no header", words=" ".join(words))]
+        return [*findings, remark("no_header", words=" ".join(words))]
     if table.header[: len(words)] != words:
-        return [remark("other header", header=" ".join(table.header), words=" ".join(words))]
-    return []
+        return [*findings, remark("other_header", header=" ".join(table.header), words=" ".join(words))]
+    return findings
 
 
-def _is_right(problem: Asked, columns: Columns) -> bool:
-    return all(map(np.all, fits(right_at_times(problem, columns.t), columns.theta, columns.omega)))
+def _severity(name: str) -> tuple[str]:
+    return (ERROR,) if name in ("comma_ambiguous", "no_time", "cartesian") else ("remark",)
 
 
-def _judge_rows(table: Table, columns: Columns, lost: Integers) -> list[Finding]:
+def _of_rows(table: Table, columns: Columns) -> list[Finding]:
     """Rows that lack numbers, and numbers of few digits."""
     findings = []
+    lost = np.setdiff1d(table.lines, columns.lines)
     if table.ragged:
         findings.append(error("ragged", line=table.ragged[0], count=len(table.ragged)))
     lost = np.setdiff1d(lost, table.ragged)
     if lost.size:
-        findings.append(error("not numbers", line=int(lost[0]), count=int(lost.size)))
+        findings.append(error("not_numbers", line=int(lost[0]), count=int(lost.size)))
     if columns.digits < FEW_DIGITS and np.ptp(columns.theta.values) > 0:
-        findings.append(remark("few digits", digits=columns.digits))
+        findings.append(remark("few_digits", digits=columns.digits))
     return findings
 
 
 # States.
 
 
-def _judge_states(columns: Columns, reading: Reading | None, off: dict[str, Deviation]) -> list[Finding]:
-    """What is wrong with angle and velocity, whether a hypothesis explains them or none does."""
-    name = reading.explanation.name if reading else "unexplained"
-    findings = [error(name, **_first_wrong(columns, off))] if name else []
-    return findings + (_judge_units(columns, reading) if reading else [])
+def _view(problem: Problem, table: Table, columns: Columns) -> View:
+    """The first explanation of the times under which the states are right; else the first."""
+    start = taken(RIGHT, problem)
+    places = np.searchsorted(table.lines, columns.lines).astype(float)
+    views = []
+    for timing in timings(problem, start, columns.t, places):
+        wanted = right_prediction(problem, timing, start)
+        wrong = misfits(wanted, AS_ASKED, columns.theta, columns.omega)
+        judged = not_judged_from(wanted)
+        if judged < columns.t.values.size:
+            local = wrong_locally(start, timing, columns)
+            wrong = tuple(np.append(each[:judged], near[judged:]) for each, near in zip(wrong, local, strict=True))
+        views.append(View(columns, places, timing, wanted, wrong, judged))
+        if _is_right(views[-1]):
+            return views[-1]
+    return views[0]
 
 
-def _first_wrong(columns: Columns, off: dict[str, Deviation]) -> dict[str, Value]:
-    """The first state that is not what it should be."""
-    wrong = [(each.first_wrong, role) for role, each in off.items() if role != "sine" and each.first_wrong is not None]
-    row, role = min(wrong)
-    got = {"theta": columns.theta, "omega": columns.omega}[role].values[row]
-    return {
-        "line": int(columns.lines[row]),
-        "t": float(columns.t.values[row]),
-        "column": WORDS[ROLES.index(role)],
-        "value": float(got),
-        "wanted": float(off[role].wanted[row]),
-    }
+def _is_right(view: View) -> bool:
+    return not any(wrong.any() for wrong in view.wrong)
 
 
-def _judge_units(columns: Columns, reading: Reading) -> list[Finding]:
-    """Right states in degrees, and angles outside [-π, π)."""
-    findings = []
-    if reading.angle_unit != 1 and np.any(columns.theta.values):
-        findings.append(error("angle in degrees"))
-    if reading.velocity_unit != 1 and np.any(columns.omega.values):
-        findings.append(error("velocity in degrees"))
-    theta = columns.theta.scaled(reading.angle_unit)
-    outside = np.flatnonzero(np.abs(theta.values) > np.pi + theta.units)
-    if outside.size:
-        row = outside[0]
-        wanted = float(wrap(theta.values[row]))
-        line, value = int(columns.lines[row]), float(columns.theta.values[row])
-        findings.append(error("not normalised", line=line, value=value, wanted=wanted, count=int(outside.size)))
+def _of_states(problem: Problem, view: View) -> list[Finding]:
+    """What is wrong with times, angle, velocity and sinusoid."""
+    columns = view.columns
+    start, timing, prediction = taken(RIGHT, problem), view.timing, view.wanted
+    findings: list[Finding] = []
+    printing = AS_ASKED
+    is_rough = False
+    if not _is_right(view):
+        found = _explained(problem, view)
+        if isinstance(found, Finding):
+            findings.append(found)
+            is_rough = found.name == "single_precision"
+        elif found:
+            best = found[0]
+            timing, prediction = best.candidate.timing, best.prediction
+            start = timing.start or best.candidate.reading.start
+            printing = best.printing
+            findings += _told(found, _first_wrong(view))
+    elif view.judged < columns.t.values.size:
+        findings.append(remark("not_judged", t=float(columns.t.values[view.judged])))
+    in_time = list(timing.findings)
+    if any(each.name == "times_off" for each in in_time) and _is_nearly_in_time(problem, view):
+        findings, is_rough = [Finding("single_precision", {}, where=None)], True
+    if is_rough:  # its sums of times are inaccurate, too
+        in_time = [each for each in in_time if each.name not in ("series_cut", "tau", "tau_off", "uneven_rows", "times_off")]
+    findings += in_time
+    findings += _of_wrapping(columns.theta.scaled(1 / printing.theta_factor), prediction, printing.form, columns)
+    if all(each.name != "regime" for each in findings):
+        findings += _of_sinusoid(problem, start, timing, columns, is_rough)
     return findings
 
 
-# Times.
+def _is_nearly_in_time(problem: Problem, view: View) -> bool:
+    """Whether the times are as inaccurate as sums in single precision."""
+    t = view.columns.t.values
+    return bool(np.all(np.abs(t - view.places * problem.every) <= 1e-3 * np.abs(t)))
 
 
-class Grid(NamedTuple):
-    """Times first + j every, as far as their digits tell."""
-
-    first: float
-    every: float
-    rows: int
-    unit: float
-    """Of the last digit of the last time."""
-
-    @property
-    def values(self) -> Floats:
-        """The times."""
-        return self.first + self.every * np.arange(float(self.rows))
-
-
-def judge_times(problem: Asked, taken: Start, times: Column, has_sine: bool) -> list[Finding]:
-    """What is wrong with the times of a program that took the pendulum for `taken`."""
-    t = times.values
-    if t.size < 2:
-        return [error("one row", expected=problem.rows)] if problem.rows > 1 else []
-    have = Grid(float(t[0]), float((t[-1] - t[0]) / (t.size - 1)), int(t.size), float(times.units.max()))
-    slack = 1.01 * problem.dt + have.unit  # a program may print a row at the end of the step that reaches its time
-    off = np.abs(t - have.values)
-    if off.max() > slack:
-        return [error("uneven rows", row=int(np.argmax(off > slack)) + 1, every=problem.every)]
-    findings = [error("late start", first=have.first)] if abs(have.first) > slack else []
-    # Rows that are not at the ends of steps show the period to the last digit.
-    drift = 2 * have.unit if off.max() <= 2 * have.unit else slack
-    as_taken = problem.every * taken.tau / problem.tau
-    expected = min((problem.every, as_taken), key=lambda every: abs(every - have.every))
-    if abs(have.every - expected) * (have.rows - 1) <= drift + PERIOD * expected * have.rows:
-        return findings + _judge_length(problem, have, slack)
-    return [*findings, _judge_spacing(problem, taken, have, has_sine)]
+def _explained(problem: Problem, view: View) -> list[Explanation] | Finding:
+    """The programs that print the states, or what else there is to say of them."""
+    columns, where = view.columns, _first_wrong(view)
+    rows = columns.t.values.size
+    found = explanations(problem, columns, view.places, 1)
+    if found:
+        return found
+    wrong = sum(int(each.sum()) for each in view.wrong)
+    if wrong <= max(1, WRONG_CELLS * rows) and rows > 3:
+        return Finding("wrong_cell", {"count": wrong}, where=where)
+    found = fitted(problem, view.timing, columns) or explanations(problem, columns, view.places, 2) or explanations(problem, columns, view.places, 3)
+    if found:
+        return found
+    if any(in_single_precision(problem, timing, columns) for timing in timings(problem, taken(RIGHT, problem), columns.t, view.places)):
+        return Finding("single_precision", {}, where=where)
+    return Finding("unexplained", _symptoms(problem, view), where=where)
 
 
-def _judge_length(problem: Asked, have: Grid, slack: float) -> list[Finding]:
-    """Rows that are missing or too many; whether there is a row at the very end may depend on rounding."""
-    more = have.rows + round(have.first / problem.every) - problem.rows
-    last = have.first + have.every * (have.rows - 1)
-    counts: dict[str, Value] = {"rows": have.rows, "expected": problem.rows, "last": last, "until": problem.until}
-    if more == 0:
+def _told(found: Sequence[Explanation], where: Where | None) -> list[Finding]:
+    """The mistakes of the first explanation; where others explain as well, their names beside."""
+    own = [mistake.name for mistake in found[0].mistakes]
+    findings = []
+    for i, mistake in enumerate(found[0].mistakes):
+        others = {}
+        for other in found[1:]:
+            names = [each.name for each in other.mistakes]
+            if len(names) == len(own) and names[i] != own[i] and names[:i] + names[i + 1 :] == own[:i] + own[i + 1 :]:
+                others[names[i]] = Finding(names[i], dict(other.mistakes[i].values))
+        others.pop(mistake.name, None)
+        alternatives = tuple(others.values())[:3]
+        findings.append(Finding(mistake.name, dict(mistake.values), where=where if i == 0 else None, alternatives=alternatives))
+    return findings
+
+
+def _first_wrong(view: View) -> Where | None:
+    """The first state that is not what it should be."""
+    rows = [(int(np.argmax(wrong)), i) for i, wrong in enumerate(view.wrong) if wrong.any()]
+    if not rows:
+        return None
+    row, i = min(rows)
+    columns = view.columns
+    column = (columns.theta, columns.omega)[i]
+    wanted = (view.wanted.theta, view.wanted.omega)[i][row]
+    return Where(int(columns.lines[row]), float(columns.t.values[row]), WORDS[i + 1], float(column.values[row]), float(wanted))
+
+
+def _symptoms(problem: Problem, view: View) -> dict[str, float | int | str]:
+    """What there is to say of states that nothing explains: the order that their errors are of, and their energy."""
+    columns = view.columns
+    theta, omega = columns.theta.values, columns.omega.values
+    with np.errstate(all="ignore"):
+        energy = _core.energy(theta, omega, problem.alpha)
+        scale = float(np.max(_core.energy(np.append(theta, np.pi), np.append(omega, 0), problem.alpha)))
+        step = view.timing.clock.dt * np.sqrt(problem.alpha)
+        off = float(np.max(np.abs(wrap(theta - view.wanted.theta))))
+        order = round(np.log(max(off, 1e-15)) / np.log(step)) if 0 < step < 0.5 else 0
+    drift, spread = float(energy[-1] - energy[0]), float(np.ptp(energy))
+    if not spread > 1e-5 * scale:
+        how = "kept"
+    elif abs(drift) > 0.6 * spread:
+        how = "grows" if drift > 0 else "falls"
+    else:
+        how = "swings"
+    return {"order": int(order) if 1 <= order <= 3 else "?", "energy": how}
+
+
+# Printing.
+
+
+def _of_wrapping(theta: Column, prediction: Prediction, form: str, columns: Columns) -> list[Finding]:
+    """Angles that stand outside [-π, π), and by what rule they got there."""
+    if form == "absolute":
         return []
-    if abs(more) == 1 and abs(problem.until - round(problem.until / problem.every) * problem.every) <= slack:
-        return [remark("last row lost" if more < 0 else "last row won", **counts)]
-    return [error("early end" if more < 0 else "late end", **counts)]
+    outside = np.flatnonzero((theta.values > np.pi + theta.units) | (theta.values < -np.pi - theta.units))
+    if outside.size == 0:
+        return []
+    row = int(outside[0])
+    wanted = float(wrap(theta.values[row]))
+    where = Where(int(columns.lines[row]), float(columns.t.values[row]), WORDS[1], float(columns.theta.values[row]), wanted)
+    unwrapped = prediction.turning
+    slack = theta.units + prediction.theta_slack + 1e-9
+    named = [name for name, rule in WRAPPINGS if _follows(theta.values, rule(unwrapped), slack)]
+    alternatives = tuple(error(name) for name in named[1:3])
+    return [Finding(named[0] if named else "not_normalised", {}, where=where, alternatives=alternatives)]
 
 
-def _judge_spacing(problem: Asked, taken: Start, have: Grid, has_sine: bool) -> Finding:
-    """The first mistake that gives the time between rows that there is."""
-    factor = problem.every / problem.tau
-    got = have.every / factor
-    uncertainty = have.unit / (have.rows - 1) + PERIOD * have.every
-    values: dict[str, Value] = {"tau": taken.tau, "got": got, "k": problem.regime}
-    values |= {"every": problem.every, "spacing": have.every}
-    for name, every, slack in _spacings(problem, taken, factor):
-        if abs(every - have.every) <= uncertainty + slack:
-            return error(name, **values)
-    if problem.regime == 0 or (problem.regime == -1 and not has_sine):
-        return error("regime", **values)
-    if taken.first_term < got < taken.tau:
-        return error("series cut", relative=1 - got / taken.tau, **values)
-    return error("tau", **values)
+def _follows(theta: Floats, wanted: Floats, slack: Floats) -> bool:
+    """Whether angles follow a rule, except where rounding decides at a multiple of π."""
+    off = np.abs(theta - wanted)
+    at_edge = np.abs(np.sin(wanted)) <= slack
+    whole_turn = np.abs(off - 2 * np.pi) <= slack
+    return bool(np.all((off <= slack) | (at_edge & whole_turn)))
 
 
-def _spacings(problem: Asked, taken: Start, factor: float) -> Iterator[tuple[str, float, float]]:
-    """Mistakes, the times between rows that they give, and how far these may be off."""
-    yield "period doubled", 2 * taken.tau * factor, 0
-    yield "period halved", taken.tau / 2 * factor, 0
-    if problem.regime != 0:
-        yield "series not begun", taken.first_term * factor, 0
-        yield "regime", taken.on_separatrix().tau * factor, 0
-    yield "seconds", factor, problem.dt  # no whole number of steps
-    yield "every step", problem.dt, 0
+def _one_side(theta: Floats, sign: float) -> Floats:
+    return np.where(sign * theta > np.pi, wrap(theta), theta)
+
+
+WRAPPINGS = (
+    ("not_normalised", lambda theta: theta),
+    ("wraps_one_side", lambda theta: _one_side(theta, 1.0)),
+    ("wraps_one_side", lambda theta: _one_side(theta, -1.0)),
+    ("wraps_one_side", lambda theta: np.where(theta > np.pi, theta - 2 * np.pi, theta)),
+    ("wraps_one_side", lambda theta: np.where(theta < -np.pi, theta + 2 * np.pi, theta)),
+    ("wraps_one_side", lambda theta: theta - 2 * np.pi * (theta > np.pi) + 2 * np.pi * (theta < -np.pi)),
+    ("wraps_zero_to_two_pi", lambda theta: np.mod(theta, 2 * np.pi)),
+    ("wraps_fmod", lambda theta: np.fmod(theta, 2 * np.pi)),
+    ("wraps_fmod", lambda theta: np.fmod(theta + np.pi, 2 * np.pi) - np.pi),
+)
 
 
 # The sinusoid.
 
 
-def _in_own_periods(taken: Start, t: Column, findings: list[Finding]) -> Column:
-    """Times at which the right sinusoid has the values of one with the wrong period that the program has found."""
-    got = next((float(finding.values["got"]) for finding in findings if finding.name in OWN_PERIODS), None)
-    if got is None:
-        return t
-    # The last time gave the period, which is therefore as inexact as that.
-    doubt = t.units + np.abs(t.values) * (t.units.max() / np.abs(t.values).max())
-    return Column(t.values * (taken.tau / got), doubt * (taken.tau / got))
-
-
-def _judge_sine(problem: Asked, taken: Start, columns: Columns, t: Column, is_single: bool) -> list[Finding]:
+def _of_sinusoid(problem: Problem, start: Start, timing: Timing, columns: Columns, is_rough: bool) -> list[Finding]:
     """The fourth column, which is there where the pendulum oscillates and only there."""
-    sine = columns.sine
-    if taken != problem.start and (sine is not None) == (taken.regime == -1):
+    sine, regime = columns.sine, regime_of(start)
+    if start != taken(RIGHT, problem) and (sine is not None) == (regime == -1) and regime != problem.regime:
         return []  # right for the pendulum that the program took for the problem's
-    if problem.regime != -1:
-        return [error("sine too many")] if sine is not None else []
+    if regime != -1:
+        return [error("sine_too_many")] if sine is not None and problem.regime != -1 else []
     if sine is None:
-        return [error("sine missing")]
+        return [error("sine_missing")]
     if not np.all(np.isfinite(sine.values)):
-        return [error("sine not numbers", line=int(columns.lines[~np.isfinite(sine.values)][0]))]
-    for hypothesis, times in product(SINUSOIDS, (t, columns.t)):
-        if np.all(sine_fits(hypothesis.column, problem.start, times, sine)):
-            return [error(hypothesis.name)] if hypothesis.name else []
-    if is_single:
-        return []  # as inexact as the states
-    row = int(np.argmax(~sine_fits(right_sine, problem.start, t, sine)))
-    wanted = float(right_sine(problem.start, t.values)[row])
-    return [error("sine unexplained", line=int(columns.lines[row]), value=float(sine.values[row]), wanted=wanted)]
+        return [error("sine_not_numbers", line=int(columns.lines[~np.isfinite(sine.values)][0]))]
+    t = Column(columns.t.values * timing.unit, columns.t.units * timing.unit)
+    rows = Column(timing.clock.steps * timing.clock.dt, timing.clock.unsure)
+    right = right_sinusoid(start, timing.tau)
+    for times in (rows, t, columns.t):
+        if np.all(sine_fits(right.at, start, times, sine)):
+            return []
+    if is_rough:
+        return []  # as inaccurate as the states
+    named = []
+    for times in (rows, t, columns.t):
+        for name, wrong in wrong_sinusoids(start, timing.tau, timing.clock.dt):
+            if name not in named and np.all(sine_fits(wrong.at, start, times, sine)):
+                named.append(name)
+        if np.all(sine_fits(lambda at: angle(start, at), start, times, sine)):
+            named.append("sine_is_the_angle")
+        if named:
+            break
+    row = int(np.argmax(~sine_fits(right.at, start, rows, sine)))
+    wanted = float(right.at(rows.values)[row])
+    where = Where(int(columns.lines[row]), float(columns.t.values[row]), WORDS[3], float(sine.values[row]), wanted)
+    few = int((~sine_fits(right.at, start, rows, sine)).sum())
+    if not named and few <= max(1, WRONG_CELLS * sine.values.size) and sine.values.size > 3:
+        return [Finding("wrong_cell", {"count": few}, where=where)]
+    alternatives = tuple(error(name) for name in named[1:3])
+    return [Finding(named[0] if named else "sine_unexplained", {}, where=where, alternatives=alternatives)]
+
+
+def _deviations(problem: Problem, view: View) -> dict[str, Deviation]:
+    """Each column against what is right at its times."""
+    columns, wanted = view.columns, view.wanted
+    off = (wrap(columns.theta.values - wanted.theta), columns.omega.values - wanted.omega)
+    found = {}
+    for role, wrong, distance, right in zip(ROLES[1:3], view.wrong, off, wanted[:2], strict=True):
+        found[role] = _deviation(wrong, right, distance)
+    if problem.regime == -1 and columns.sine is not None:
+        start = taken(RIGHT, problem)
+        rows = Column(view.timing.clock.steps * view.timing.clock.dt, view.timing.clock.unsure)
+        sinusoid = right_sinusoid(start, problem.tau)
+        right = sinusoid.at(rows.values)
+        fit = sine_fits(sinusoid.at, start, rows, columns.sine)
+        found["sine"] = _deviation(~fit, right, columns.sine.values - right)
+    return found
+
+
+def _deviation(wrong: npt.NDArray[np.bool_], wanted: Floats, off: Floats) -> Deviation:
+    rows = np.flatnonzero(wrong)
+    first = int(rows[0]) if rows.size else None
+    with np.errstate(invalid="ignore"):
+        return Deviation(int((~wrong).sum()), first, wanted, float(np.nanmax(np.abs(off), initial=0.0)))

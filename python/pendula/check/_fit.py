@@ -1,0 +1,125 @@
+"""Mistakes with a number of their own, which is fitted: damping, torque or a drive left in, and a wrong factor of α."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from pendula.check._explain import AS_ASKED, Candidate, Explanation, Reading, fits, predictions, wrap
+from pendula.check._mistakes import STEPPERS, Mistake
+from pendula.check._program import RIGHT, Program, Start, replay, taken
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator
+
+    from pendula.check._program import Floats, Problem
+    from pendula.check._table import Columns
+    from pendula.check._timing import Timing
+
+ROUNDS = 12  # of Gauss and Newton's method
+MOST_STEPS = 1 << 20
+BESIDE = ("euler_cromer", "euler", "verlet", "heun", "midpoint")  # methods with which such a term is left in
+FREQUENCIES = np.arange(0.05, 3.0, 0.05)  # of a drive, tried first, in those of small swings
+
+
+class Term:
+    """A term with numbers of its own."""
+
+    def __init__(self, name: str, names: tuple[str, ...], made: Callable[[Floats], Mistake], guesses: list[list[float]]) -> None:
+        self.name, self.names, self.made, self.guesses = name, names, made, guesses
+
+
+def terms(problem: Problem) -> Iterator[Term]:
+    """Those that are tried, with numbers to begin with."""
+    rate = float(np.sqrt(problem.alpha))
+
+    def damping(x: Floats) -> Mistake:
+        return Mistake("damping", "equation", {"beta": float(x[0])}, {"beta": float(x[0])})
+
+    def torque(x: Floats) -> Mistake:
+        return Mistake("torque", "equation", {"torque": float(x[0])}, {"torque": float(x[0])})
+
+    def factor(x: Floats) -> Mistake:
+        return Mistake("alpha_factor", "alpha", {"alpha": (float(x[0]), 1.0)}, {"factor": float(x[0])})
+
+    def drive(x: Floats) -> Mistake:
+        values = {"amplitude": float(x[0]), "frequency": abs(float(x[1]))}
+        return Mistake("drive", "equation", {"drive": (float(x[0]), abs(float(x[1])))}, values)
+
+    yield Term("damping", ("beta",), damping, [[0.01 * rate]])
+    yield Term("torque", ("torque",), torque, [[0.01 * problem.alpha]])
+    yield Term("alpha_factor", ("factor",), factor, [[1.01]])
+    yield Term("drive", ("amplitude", "frequency"), drive, [[0.01 * problem.alpha, f * rate] for f in FREQUENCIES])
+
+
+def fitted(problem: Problem, timing: Timing, columns: Columns) -> list[Explanation]:
+    """A program with one such term, and Runge-Kutta or another method, that prints the table's states."""
+    if not 0 < timing.clock.steps.max() <= MOST_STEPS:
+        return []
+    steppers = [None, *(each for each in STEPPERS if each.name in BESIDE)]
+    for stepper in steppers:
+        for term in terms(problem):
+            if stepper is not None and term.name == "drive":
+                continue
+            found = _fit(problem, timing, columns, term, stepper)
+            if found:
+                return [found]
+    return []
+
+
+def _fit(problem: Problem, timing: Timing, columns: Columns, term: Term, stepper: Mistake | None) -> Explanation | None:
+    base = stepper.of(RIGHT) if stepper else RIGHT
+    numbers = np.array(_nearest(problem, timing, columns, term, base))
+    start = taken(RIGHT, problem)
+    for _ in range(ROUNDS):
+        tried = [numbers, *(numbers + step for step in np.diag(1e-6 * np.maximum(np.abs(numbers), 1e-3)))]
+        residuals = _residuals(problem, timing, columns, [term.made(each).of(base) for each in tried])
+        if not np.isfinite(residuals).all():
+            return None
+        slopes = np.stack([(each - residuals[0]) / np.linalg.norm(t - numbers) for each, t in zip(residuals[1:], tried[1:])], axis=1)
+        change, *_ = np.linalg.lstsq(slopes, -residuals[0], rcond=None)
+        numbers = numbers + change
+        if np.all(np.abs(change) <= 1e-9 * np.abs(numbers)):
+            break
+    mistake = term.made(_round(numbers, columns.digits))
+    mistakes = (mistake, stepper) if stepper else (mistake,)
+    fallback = term.made(numbers)
+    for each in (mistake, fallback):
+        reading = Reading(taken(each.of(RIGHT), problem))
+        candidate = Candidate(each.of(base), reading, timing, (each, *mistakes[1:]))
+        prediction = predictions([candidate], problem)[0]
+        if fits(prediction, AS_ASKED, columns):
+            return Explanation(candidate, AS_ASKED, prediction)
+    return None
+
+
+def _round(numbers: Floats, digits: int) -> Floats:
+    """The numbers that a person would type, if they are near."""
+    rounded = np.array([float(f"{each:.3g}") for each in numbers])
+    return np.where(np.abs(rounded - numbers) <= 10.0 ** (1 - digits) * np.abs(numbers) * 10, rounded, numbers)
+
+
+def _nearest(problem: Problem, timing: Timing, columns: Columns, term: Term, base: Program) -> list[float]:
+    if len(term.guesses) == 1:
+        return term.guesses[0]
+    residuals = _residuals(problem, timing, columns, [base, *(term.made(np.array(each)).of(base) for each in term.guesses)])
+    best, where = np.inf, term.guesses[0]
+    for guess, each in zip(term.guesses, residuals[1:], strict=True):
+        slope = (each - residuals[0]) / guess[0]
+        amplitude = -float(slope @ residuals[0]) / max(float(slope @ slope), 1e-300)
+        left = float(np.linalg.norm(residuals[0] + amplitude * slope))
+        if left < best:
+            best, where = left, [amplitude, *guess[1:]]
+    return where
+
+
+def _residuals(problem: Problem, timing: Timing, columns: Columns, programs: list[Program]) -> Floats:
+    """[program, angles and velocities]: what the programs compute less what is printed."""
+    starts: list[Start] = [taken(program, problem) for program in programs]
+    with np.errstate(all="ignore"):
+        theta, omega = replay(programs, problem, [timing.clock] * len(programs), starts)
+        rate = float(np.sqrt(problem.alpha))
+        off = np.hstack([wrap(theta - columns.theta.values), (omega - columns.omega.values) / rate])
+    found: Floats = off
+    return found

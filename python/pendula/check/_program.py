@@ -1,0 +1,328 @@
+"""A student's program as data: what it takes for the problem, its period, its stepper, its rows and how it prints them."""
+
+from __future__ import annotations
+
+import json
+import math
+from dataclasses import dataclass, field
+from functools import lru_cache
+from typing import TYPE_CHECKING, NamedTuple, TypeAlias
+
+import numpy as np
+
+from pendula import _core
+from pendula._closed_form import analyze
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    import numpy.typing as npt
+
+    Floats: TypeAlias = npt.NDArray[np.float64]
+    Integers: TypeAlias = npt.NDArray[np.int64]
+
+DEGREE = math.pi / 180
+MOST_STAGES = 8
+
+
+class Problem(NamedTuple):
+    """A problem as the program pendula reads it."""
+
+    theta0: float
+    omega0: float
+    alpha: float
+    dt: float
+    """The longest step: factorΔ τ [s]."""
+    every: float
+    """Time between rows [s]."""
+    until: float
+    tau: float
+    regime: int
+    """The assignment's k."""
+    theta_max: float
+    rows: float
+    theta0_unit: str = "r"
+    omega0_unit: str = "r"
+
+    @property
+    def steps_per_row(self) -> float:
+        """factorcout/factorΔ, which need be no whole number."""
+        return self.every / self.dt
+
+
+class Start(NamedTuple):
+    """A pendulum and its initial state."""
+
+    theta0: float
+    omega0: float
+    alpha: float
+
+
+# Steppers.
+
+
+class Stepper(NamedTuple):
+    """An explicit method with stages: the angle, the velocity and the acceleration of each are
+
+        x = theta[s] θ + Σ_j h^power[s] (angle[s, j] v_j + own_angle[s, j] a_j)
+        v = omega[s] ω + Σ_j h^power[s] (velocity[s, j] a_j + own_velocity[s, j] v_j)
+        a = the acceleration at x, v and the time t + h time[s]
+
+    and the step adds h^sum_power Σ_j theta_sum[j] v_j to θ and h^sum_power Σ_j omega_sum[j] a_j to ω.
+    """
+
+    theta: Floats
+    omega: Floats
+    time: Floats
+    angle: Floats
+    own_angle: Floats
+    velocity: Floats
+    own_velocity: Floats
+    theta_sum: Floats
+    omega_sum: Floats
+    power: Floats
+    sum_power: float
+
+    def numbers(self, h: float) -> tuple[Floats, Floats]:
+        """The coefficients as `replay` takes them: [stage, 3 + 4 stages] and [angle or velocity, 2 stages]."""
+        with np.errstate(over="ignore", invalid="ignore"):
+            scale = np.power(h, self.power)[:, None]
+            matrices = [each * scale for each in (self.angle, self.own_angle, self.own_velocity, self.velocity)]
+            total = h**self.sum_power
+        nothing = np.zeros_like(self.theta_sum)
+        parts = np.column_stack([self.theta, self.omega, self.time * h])
+        sums = [np.concatenate([self.theta_sum, nothing]), np.concatenate([nothing, self.omega_sum])]
+        return np.hstack([parts, *matrices]), np.stack(sums) * total
+
+
+Rows: TypeAlias = "Sequence[Sequence[float]]"
+
+
+def stepper(
+    angle: Rows,
+    weights: Sequence[float],
+    *,
+    velocity: Rows | None = None,
+    omega_weights: Sequence[float] | None = None,
+    own_angle: Rows = (),
+    own_velocity: Rows = (),
+    theta: Sequence[float] = (),
+    power: float | Sequence[float] = 1,
+    sum_power: float = 1,
+) -> Stepper:
+    """A stepper whose velocities see the accelerations as its angles see the velocities, unless other weights are given."""
+    stages = max(len(angle), len(weights), len(omega_weights or ()))
+    matrices = [_square(each, stages) for each in (angle, own_angle, angle if velocity is None else velocity, own_velocity)]
+    parts = np.append(np.array(theta, float), np.ones(stages - len(theta)))
+    sums = [_padded(each, stages) for each in (weights, weights if omega_weights is None else omega_weights)]
+    time = np.minimum(matrices[0].sum(axis=1) + matrices[3].sum(axis=1), 1)
+    powers = np.broadcast_to(np.array(power, float), stages)
+    return Stepper(parts, np.ones(stages), time, *matrices, *sums, powers, sum_power)
+
+
+def _padded(row: Sequence[float], stages: int) -> Floats:
+    return np.append(np.array(row, float), np.zeros(stages - len(row)))
+
+
+def _square(rows: Rows, stages: int) -> Floats:
+    filled = [_padded(row, stages) for row in rows] + [np.zeros(stages)] * (stages - len(rows))
+    return np.array(filled)
+
+
+CLASSICAL = ((), (0.5,), (0, 0.5), (0, 0, 1))
+RUNGE_KUTTA = stepper(CLASSICAL, (1 / 6, 1 / 3, 1 / 3, 1 / 6))
+
+
+# Programs.
+
+
+@dataclass(frozen=True)
+class Program:
+    """What a program does. The default does what was asked for."""
+
+    theta0: tuple[float, float] = (1.0, 1.0)
+    """Factors on the initial angle where it is given in radians and in degrees."""
+    omega0: tuple[float, float] = (1.0, 1.0)
+    start: str = "given"
+    """Or exchanged, or root: ω0 is √α."""
+    alpha: tuple[float, float] = (1.0, 1.0)
+    """Factor, and power of the α given."""
+    period: str = "right"
+    """In PERIODS."""
+    pi: float = math.pi
+    spacing: str = "right"
+    """Of the rows; in SPACINGS."""
+    stepper: Stepper = field(default=RUNGE_KUTTA, compare=False)
+    force: str = "sine"
+    """What stands for the sine in the acceleration; one of the core's `Force`."""
+    scale: float = 1.0
+    """Factor of the angle in it."""
+    sign: float = 1.0
+    """Of the acceleration."""
+    beta: float = 0.0
+    torque: float = 0.0
+    drive: tuple[float, float] = (0.0, 0.0)
+    """Amplitude and angular frequency."""
+    is_single: bool = False
+    steps_late: int = 0
+    """By how many steps the states are later than the times printed."""
+    rows_late: int = 0
+    first_is_right: bool = False
+    """Whether the first row is not late."""
+    theta_factor: float = 1.0
+    """Of the angle, as it is printed."""
+    omega_factor: float = 1.0
+    form: str = "signed"
+    """Or absolute: |θ| is printed; or normalised: ω is wrapped like an angle."""
+
+
+RIGHT = Program()
+
+
+def taken(program: Program, problem: Problem) -> Start:
+    """What a program takes for the pendulum and its initial state."""
+    theta0 = problem.theta0 * program.theta0[problem.theta0_unit == "s"]
+    omega0 = problem.omega0 * program.omega0[problem.omega0_unit == "s"]
+    factor, power = program.alpha
+    alpha = factor * problem.alpha**power
+    if program.start == "exchanged":
+        theta0, omega0 = omega0, theta0
+    elif program.start == "root":
+        omega0 = math.sqrt(alpha)
+    return Start(theta0, omega0, alpha)
+
+
+# Periods.
+
+ALMOST_FREE = 1e-12  # factor of gravity, for a rotation that hardly feels it
+
+
+@lru_cache(maxsize=4096)
+def analysis(start: Start) -> tuple[int, float, float]:
+    """(k, θM, τ) of the assignment. Raises ValueError where there is no such pendulum."""
+    found = analyze(*start[:2], alpha=start.alpha)
+    return int(found.regime), float(found.theta_max), float(found.tau)
+
+
+def first_term(start: Start) -> float:
+    """T0 of the series (3.6): the period without gravity, or without the amplitude's part in it [s]."""
+    if analysis(start)[0] < 0:
+        return small_period(start)
+    energy_ratio = _core.energy(*start) / _core.energy(0.0, 1.0, start.alpha)
+    return analysis(Start(0.0, math.sqrt(energy_ratio), start.alpha * ALMOST_FREE))[2]
+
+
+def small_period(start: Start) -> float:
+    """The period of small oscillations [s]."""
+    return analysis(Start(0.0, 0.0, start.alpha))[2]
+
+
+def limit_time(start: Start, fraction: float) -> float:
+    """The time (3.5) to a fraction of θM on the separatrix, as a program in double precision finds it [s]."""
+    sign = -1.0 if start.omega0 < 0 else 1.0
+    there = math.tan(fraction * math.pi / 4 + math.pi / 4)
+    here = math.tan(sign * float(_core.wrap(start.theta0)) / 4 + math.pi / 4)
+    return math.log(there / here) / math.sqrt(start.alpha)
+
+
+def period(name: str, start: Start) -> float | None:
+    """The characteristic time of a program with this mistake; None where it does not matter in this regime."""
+    regime, _, tau = analysis(start)
+    match name, regime:
+        case "right", _:
+            return tau
+        case "doubled", -1 | 1:
+            return 2 * tau
+        case "halved", -1 | 1:
+            return tau / 2
+        case "first term", -1 | 1:
+            return first_term(start)
+        case "small", 1:
+            return small_period(start)
+        case "log10", 0:
+            return tau / math.log(10)
+        case "0.99", 0:
+            return limit_time(start, 0.99)
+        case "limit", 0:
+            return limit_time(start, 1.0)
+        case "separatrix", -1 | 1:
+            return limit_time(start, 0.999)
+    return None
+
+
+PERIODS = ("right", "doubled", "halved", "first term", "small", "log10", "0.99", "limit", "separatrix")
+
+
+# Motion.
+
+
+class Clock(NamedTuple):
+    """When a program's rows are."""
+
+    steps: Integers
+    """[row]: the number of steps before it."""
+    dt: float
+    """Step [s]."""
+    doubt: float
+    """How far off the step may be, relatively."""
+    unsure: Floats
+    """[row]: how far the times printed leave the row's time open [s]."""
+
+
+class Motion(NamedTuple):
+    """States of programs, [program, row]; the angle counts whole turns."""
+
+    theta: Floats
+    omega: Floats
+
+
+def replay(programs: Sequence[Program], problem: Problem, clocks: Sequence[Clock], starts: Sequence[Start] | None = None) -> Motion:
+    """What the programs compute, each with its clock."""
+    starts = [taken(program, problem) for program in programs] if starts is None else starts
+    rows = max((clock.steps.size for clock in clocks), default=0)
+    theta, omega = np.empty((2, len(programs), rows))
+    sizes = np.array([program.stepper.theta.size for program in programs], int)
+    for size in np.unique(sizes):
+        group = np.flatnonzero(sizes == size)
+        each = [(programs[i], starts[i], clocks[i]) for i in group]
+        numbers = [program.stepper.numbers(clock.dt) for program, _, clock in each]
+        theta[group], omega[group] = _core.replay(
+            start=np.array([start[:2] for _, start, _ in each]),
+            terms=np.array([_terms(program, start) for program, start, _ in each]),
+            force=np.array([int(getattr(_core.Force, program.force)) for program, *_ in each], np.int32),
+            scale=np.array([program.scale for program, *_ in each]),
+            dt=np.array([clock.dt for *_, clock in each]),
+            stages=np.array([stages for stages, _ in numbers]),
+            sums=np.array([sums for _, sums in numbers]),
+            steps=np.array([_recorded(program, clock) for program, _, clock in each]),
+            single=np.array([program.is_single for program, *_ in each]),
+        )
+    return Motion(theta, omega)
+
+
+def _terms(program: Program, start: Start) -> tuple[float, ...]:
+    return (program.sign * start.alpha, program.beta, program.torque, *program.drive, 0.0)
+
+
+def _recorded(program: Program, clock: Clock) -> Integers:
+    """After how many steps each row's state is taken."""
+    steps = clock.steps
+    if program.rows_late and steps.size > 1:
+        between = int(steps[-1] - steps[0]) // (steps.size - 1)
+        steps = steps + program.rows_late * between
+    steps = np.maximum(steps + program.steps_late, 0)
+    if program.first_is_right:
+        steps = np.append(clock.steps[:1], steps[1:])
+    return steps
+
+
+def read_problems(text: str, printed: str) -> list[Problem]:
+    """The problems of a text that the program pendula has read and printed as JSON."""
+    tokens = [token for line in text.splitlines() for token in line.split("#")[0].split()]
+    found = []
+    for line in printed.splitlines():
+        values = json.loads(line)
+        units = {f"{name}_unit": tokens[8 * len(found) + place] for name, place in (("theta0", 4), ("omega0", 6))}
+        same = {name: float(values[name]) for name in ("theta0", "omega0", "alpha", "dt", "every", "until", "tau", "rows")}
+        found.append(Problem(**same, regime=int(values["k"]), theta_max=float(values["thetaM"]), **units))
+    return found

@@ -1,0 +1,231 @@
+"""When a table's rows are: what their times say of the program's period, and how many steps were taken before each."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from pendula.check._finding import Finding, error, remark
+from pendula.check._mistakes import PERIODS
+from pendula.check._program import Clock, Problem, Start, analysis, first_term, period
+from pendula.check._program import PERIODS as NAMES
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from pendula.check._program import Floats
+    from pendula.check._table import Column
+
+PERIOD = 1e-6  # relative: periods that differ by less are equal (3.9 allows 1e-7, and programs add up steps)
+KNOWN = 1e-7  # relative: how well a right program knows its own period
+LARGEST_RATIO = 12  # of whole numbers that a period may be off by, from zeros that were counted
+MOST_STEPS = 2**52
+
+
+class Timing(NamedTuple):
+    """An explanation of the times."""
+
+    clock: Clock
+    tau: float
+    """The characteristic time that the program has found [s]."""
+    findings: tuple[Finding, ...] = ()
+    unit: float = 1.0
+    """Of the times printed [s]."""
+    start: Start | None = None
+    """Whose period it is, if not that of the motion."""
+
+    @property
+    def changes(self) -> int:
+        """How many mistakes there are in it."""
+        return sum(finding.severity == "error" for finding in self.findings)
+
+
+class Grid(NamedTuple):
+    """Times first + j every, as far as their digits tell."""
+
+    first: float
+    every: float
+    places: Floats
+    """The rows' j, from 0; some may be missing."""
+    unit: float
+    """Of the last digit of the last time."""
+
+    @property
+    def rows(self) -> int:
+        """How many there are up to the last."""
+        return int(self.places[-1]) + 1
+
+    @property
+    def values(self) -> Floats:
+        """The times."""
+        return self.first + self.every * self.places
+
+
+def grid_of(t: Column, places: Floats) -> Grid:
+    """The evenly spaced times nearest to those printed; a few wrong ones among them do not matter."""
+    unit = float(t.units.max())
+    if places.size < 2 or not places[-1] > places[0]:
+        return Grid(float(t.values[0]), 0.0, places, unit)
+    gaps = np.diff(places)
+    first = float(t.values[0])
+    spacings = (float((t.values[-1] - first) / (places[-1] - places[0])), float(np.median(np.diff(t.values) / gaps)))
+    off = [np.abs(t.values - first - (places - places[0]) * each) for each in spacings]
+    every = spacings[int(np.argmin([np.median(each) for each in off]))]
+    return Grid(first - places[0] * every, every, places, unit)
+
+
+def timings(problem: Problem, start: Start, t: Column, places: Floats) -> Iterator[Timing]:
+    """Explanations of the times, those without a mistake first, for a program that took the pendulum for `start`.
+
+    places: the numbers of the rows, of which some may have been lost.
+    """
+    tau = analysis(start)[2]
+    factor_every, factor_dt = problem.every / problem.tau, problem.dt / problem.tau
+    grid = grid_of(t, places)
+    if grid.rows == 1 or not grid.every > 0:
+        dt = factor_dt * tau
+        expected = int(min(problem.rows, MOST_STEPS))
+        findings = (error("one_row", expected=expected),) if grid.rows == 1 and problem.rows > 1 else ()
+        yield Timing(_clock(t, dt, dt * problem.steps_per_row, KNOWN), tau, findings)
+        return
+    found = False
+    for name in NAMES:
+        own = period(name, start)
+        if own is not None and np.isfinite(own) and _is_spacing(grid, t, factor_every * own, factor_dt * own):
+            found = True
+            yield from _timing(problem, t, grid, own, _period_findings(name, problem, start, own))
+    if not found:
+        yield from _other_spacings(problem, start, t, grid)
+    yield Timing(_numbered(problem, grid, factor_dt * tau), tau, (error("times_off"),))
+
+
+def _numbered(problem: Problem, grid: Grid, dt: float) -> Clock:
+    """The rows by their numbers, whatever their times."""
+    whole = grid.places * round(max(problem.steps_per_row, 1))
+    return Clock(whole.astype(np.int64), dt, KNOWN, np.zeros(whole.size))
+
+
+def _is_spacing(grid: Grid, t: Column, every: float, dt: float) -> bool:
+    """Whether rows are as far apart as that; a program may print each at the end of the step that reaches its time."""
+    slack = 1.01 * dt + grid.unit
+    off = np.abs(t.values - grid.values).max()
+    drift = 2 * grid.unit if off <= 2 * grid.unit else slack
+    return bool(abs(grid.every - every) * (grid.rows - 1) <= drift + PERIOD * every * grid.rows)
+
+
+def _period_findings(name: str, problem: Problem, start: Start, own: float) -> tuple[Finding, ...]:
+    if name == "right":
+        return ()
+    values = {"k": problem.regime} if name == "separatrix" else {}
+    return (error(PERIODS[name], tau=analysis(start)[2], got=own, **values),)
+
+
+def _timing(problem: Problem, t: Column, grid: Grid, own: float, findings: tuple[Finding, ...]) -> Iterator[Timing]:
+    """The timings of a program whose rows are evenly spaced by its own period."""
+    every, dt = (each / problem.tau * own for each in (problem.every, problem.dt))
+    doubt = KNOWN
+    last = abs(float(t.values[-1]))
+    if last > 0 and abs(t.values - grid.values).max() <= 2 * grid.unit and abs(grid.first) <= grid.unit:
+        seen = grid.unit / last
+        if seen < KNOWN:  # the times tell the period better than theory
+            own, doubt = own * (grid.every / every), max(seen, 1e-14)
+            every, dt = (each / problem.tau * own for each in (problem.every, problem.dt))
+    yield Timing(_clock(t, dt, every, doubt), own, (*findings, *_layout(problem, t, grid, every, dt)))
+    # The times of all rows may be off by a step or a row, and the states those of t = 0 and so on.
+    for name, moved in (("step_late", -dt), ("step_early", dt), ("row_late", -every), ("row_early", every)):
+        if abs(grid.first - moved) <= grid.unit + PERIOD * every:
+            shifted = grid._replace(first=0.0)
+            yield Timing(_numbered(problem, grid, dt), own, (*findings, error(name), *_ends(problem, shifted)))
+
+
+def _clock(t: Column, dt: float, every: float, doubt: float) -> Clock:
+    """After how many steps the rows are. Where their times lie between steps, the steps are taken to be shorter."""
+    values = np.where(np.isfinite(t.values), t.values, 0)
+    per_row = every / dt
+    places = np.round(values / every) if every > 0 else np.zeros_like(values)
+    is_on_grid = np.abs(values - places * every) <= t.units + 1e-9 * np.abs(values) + 0.01 * dt
+    steps = np.round(values / dt)
+    if is_on_grid.all():
+        whole = np.ceil(per_row * (1 - 1e-9))
+        steps, dt = places * whole, every / whole
+        unsure = np.zeros_like(values)
+    else:
+        unsure = np.where(t.units > 0.4 * dt, t.units, 0)
+    return Clock(np.clip(steps, 0, MOST_STEPS).astype(np.int64), dt, doubt, unsure)
+
+
+def _other_spacings(problem: Problem, start: Start, t: Column, grid: Grid) -> Iterator[Timing]:
+    """Rows at other distances than the factor times a period that is known: what else they may be."""
+    tau = analysis(start)[2]
+    factor, factor_dt = problem.every / problem.tau, problem.dt / problem.tau
+    spacing = {"every": factor * tau, "spacing": grid.every}
+    doubt = grid.unit / (grid.every * max(grid.rows - 1, 1)) + PERIOD
+    whole = np.ceil(factor / (factor_dt * tau) * (1 - 1e-9)) * factor_dt * tau
+    if _is_spacing(grid, t, factor, factor_dt):
+        scaled = t._replace(values=t.values * tau, units=t.units * tau)
+        inside = Grid(grid.first * tau, grid.every * tau, grid.rows, grid.unit * tau)
+        rows = _layout(problem, scaled, inside, factor * tau, factor_dt * tau)
+        clock = _clock(scaled, factor_dt * tau, factor * tau, KNOWN)
+        yield Timing(clock, tau, (error("times_in_periods"), *rows), tau)
+    for every in (factor, whole):
+        if _is_spacing(grid, t, every, factor_dt * tau):
+            yield Timing(_clock(t, factor_dt * tau, every, KNOWN), tau, (error("seconds", **spacing),))
+    if abs(grid.every - factor_dt * tau) <= grid.unit / max(grid.rows - 1, 1) + PERIOD * grid.every:
+        yield Timing(_clock(t, factor_dt * tau, factor_dt * tau, KNOWN), tau, (error("every_step", every=factor * tau),))
+    own = grid.every / factor
+    values = {"tau": tau, "got": own, **spacing}
+    rows = _layout(problem, t, grid, grid.every, factor_dt * own)
+    if any(finding.name == "uneven_rows" for finding in rows):
+        yield Timing(_clock(t, factor_dt * tau, factor * tau, KNOWN), tau, rows)
+        return
+    yield Timing(_clock(t, factor_dt * own, grid.every, min(doubt, PERIOD)), own, (_off(start, own, doubt, values), *rows))
+
+
+def _off(start: Start, own: float, doubt: float, values: dict[str, float]) -> Finding:
+    """What to say of a period that no mistake of its own gives."""
+    regime, _, tau = analysis(start)
+    ratio = own / tau
+    simple = Fraction(ratio).limit_denominator(LARGEST_RATIO)
+    if 0 < simple.numerator <= LARGEST_RATIO and abs(ratio - float(simple)) <= doubt * ratio and doubt < 1e-4:
+        return error("tau_off", **values, ratio=f"{simple.numerator}/{simple.denominator}")
+    if regime != 0 and first_term(start) < own < tau:
+        return error("series_cut", **values, relative=1 - ratio)
+    return error("tau", **values)
+
+
+# The first row, the last, and those between.
+
+
+def _layout(problem: Problem, t: Column, grid: Grid, every: float, dt: float) -> tuple[Finding, ...]:
+    """What is wrong with the rows of a program whose period is known."""
+    slack = 1.01 * dt + grid.unit
+    off = np.abs(t.values - grid.values)
+    wrong = np.flatnonzero(off > slack)
+    if wrong.size == 1 and wrong.size < off.size - 3 and 0 < wrong[0] < off.size - 1:
+        return _ends(problem, grid)  # a wrong cell
+    if wrong.size:
+        return (error("uneven_rows", row=int(wrong[0]) + 1, every=every),)
+    if abs(grid.first) <= grid.unit or (abs(grid.first) <= slack and abs(abs(grid.first) - dt) > grid.unit):
+        return _ends(problem, grid)
+    name = "late_start"
+    if abs(grid.first - dt) <= grid.unit + PERIOD * dt:
+        name = "starts_at_step"
+    elif abs(grid.first - every) <= slack:
+        name = "starts_at_interval"
+    return (error(name, first=grid.first), *_ends(problem, grid))
+
+
+def _ends(problem: Problem, grid: Grid) -> tuple[Finding, ...]:
+    """Rows that are missing or too many; whether there is a row at the very end may depend on rounding."""
+    more = grid.rows + round(grid.first / grid.every) - problem.rows
+    last, until = grid.first + grid.every * (grid.rows - 1), problem.until / problem.every * grid.every
+    counts = {"rows": grid.rows, "expected": int(min(problem.rows, MOST_STEPS)), "last": last, "until": until}
+    if abs(more) < 0.5:
+        return ()
+    is_near = abs(until / grid.every - round(until / grid.every)) * problem.steps_per_row <= 1.01
+    if abs(more) == 1 and is_near:
+        name = "last_row_lost" if more < 0 else "last_row_won"
+        return (remark(name, **{value: counts[value] for value in ("until", "last")}),)
+    return (error("early_end" if more < 0 else "late_end", **counts),)

@@ -63,11 +63,12 @@ int main(int argc, char* argv[]) {
             cerr << "Datos incorrectos\n";
             return 1;
         }
+        theta = normaliza(theta);
         if (!primero) cout << "\n\n";
         primero = false;
         double thetaM, tau;
         int k;
-        analisis(alpha, theta, w, 1e-7, thetaM, tau, k);
+        analisis(alpha, theta, w, 1e-13, thetaM, tau, k);
         double dt = fDelta * tau, phi = fase(theta / thetaM, w);
         int cada = round(fCout / fDelta), pasos = round(fSimul / fDelta);
         cout << "t angulo velocidad" << (k == -1 ? " funcionSinusoidal\n" : "\n");

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import functools
 import tempfile
+from collections.abc import Iterator
 from typing import NamedTuple
 
 from pendula import _command
 from pendula.check import Asked, Judgement, asked, decoded, judge, tables
+from pendula.check._table import Column, columns_at, placements
 
 
 class Told(NamedTuple):
@@ -52,3 +54,12 @@ def names(judgement: Judgement) -> Told:
         if finding.severity == "error":
             options.append(frozenset({name, *(each.name for each in getattr(finding, "alternatives", ()))}))
     return Told(frozenset(errors), frozenset(remarks), tuple(options))
+
+
+def columns_of(data: bytes, oscillates: bool) -> Iterator[list[Column]]:
+    """t, theta, omega and, where there is one, the sinusoid, at each place where they may be in a file with one table."""
+    (table,) = tables(decoded(data))
+    for _, places in placements(table, oscillates):
+        columns = columns_at(table, places)
+        if columns is not None:
+            yield [each for each in (columns.t, columns.theta, columns.omega, columns.sine) if each is not None]

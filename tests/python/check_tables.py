@@ -16,6 +16,8 @@ MOST_STEPS = 20_000
 FINEST = 0.0005  # step, but for the rows that are closer
 TAU = 1e-7  # relative error of a period that (3.9) allows
 ROUNDING = 1e-12  # what 20,000 steps round, relative to the largest state, with room
+GROWTH = 1e-11  # what rounding of the initial state can grow to, relative to the largest state
+EPSILON = float(np.finfo(float).eps)
 SAME_STEP = 1e-6  # a time that is reached up to rounding is reached
 
 
@@ -124,7 +126,7 @@ def cases(draw) -> Case:
         tau_error=draw(st.one_of(st.just(0.0), st.floats(-1, 1))),
         noise=draw(st.integers(0, 1000)),
         is_at_step_ends=not chosen.is_in_steps and draw(st.booleans()),
-        is_last_lost=chosen.is_whole and draw(st.booleans()),
+        is_last_lost=chosen.is_in_steps and chosen.is_whole and draw(st.booleans()),
         is_sine_as_written=draw(st.booleans()),
         layout=draw(st.sampled_from(sorted(LAYOUTS))),
         digits=draw(st.integers(5, 15)),
@@ -157,6 +159,18 @@ def truth(text: str) -> Truth:
     return Truth(theta0, omega0, alpha, int(regime), float(theta_max), float(tau), columns)
 
 
+def doubts(known: Truth) -> np.ndarray:
+    """How far t, θ, ω and sinusoid of another right program of Runge-Kutta may be, by its τ and by rounding."""
+    t, theta, omega = known.columns[:3]
+    late = TAU * t
+    theta_doubt = np.abs(omega) * late + GROWTH * np.abs(theta).max()
+    omega_doubt = known.alpha * late + GROWTH * np.abs(omega).max()
+    # An arccosine (3.2) has a relative error δ by the last bit of its cosine; an arcsine near π/2 has √(2δ).
+    delta = min(1.0, 4 * EPSILON / (known.theta_max * max(np.sin(known.theta_max), EPSILON)))
+    sine_doubt = known.theta_max * (2 * np.pi * late / known.tau + delta + np.sqrt(2 * delta))
+    return np.array([late, theta_doubt, omega_doubt, sine_doubt][: len(known.columns)])
+
+
 def rows_of(case: Case) -> list[Row]:
     """What a right program with the case's own τ, rounding, last row and sinusoid has to print."""
     text = case.problem.text()
@@ -173,7 +187,7 @@ def rows_of(case: Case) -> list[Row]:
     return rows(t, theta, omega, sine)[: -1 if case.is_last_lost else None]
 
 
-def rows(t: np.ndarray, theta: np.ndarray, omega: np.ndarray, sine: np.ndarray | None) -> list[Row]:
+def rows(t: np.ndarray, theta: np.ndarray, omega: np.ndarray, sine: np.ndarray | None = None) -> list[Row]:
     fourth = [None] * t.size if sine is None else sine.tolist()
     return list(zip(t.tolist(), theta.tolist(), omega.tolist(), fourth, strict=True))
 
@@ -184,8 +198,9 @@ def states(case: Case, scale: float) -> list[np.ndarray]:
     solution = solved(case.problem.text(scale), "--method", case.method).solution
     if case.is_at_step_ends:
         reached = np.ceil(np.arange(solution.t.size) * (every / step) - SAME_STEP).astype(int)
-        every_step = case.problem._replace(every=step, until=until + step)
+        every_step = case.problem._replace(every=step, until=until)
         solution = solved(every_step.text(scale), "--method", case.method).solution
+        reached = reached[reached < solution.t.size]  # no step begins that ends after the run
         return [values[reached] for values in (solution.t, solution.theta, solution.omega)]
     return [np.array(values) for values in (solution.t, solution.theta, solution.omega)]
 

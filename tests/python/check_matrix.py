@@ -1,0 +1,215 @@
+"""Prints what pendula.check says of every program that makes a mistake, and of right and wrong tables in every layout.
+
+python tests/python/check_matrix.py [--problems PROBLEM ...] [--digits 6,10] [--only NAME]
+
+ok  told: exactly the mistakes in the program's name
+~   told as well as others that explain the table equally well
+.   does not show: to the digits printed, the table is the right one
+x   anything else; the status is then 1
+"""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from collections import Counter
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+
+sys.path.append(str(Path(__file__).parents[1]))
+import check_programs
+from check_layouts import LAYOUTS, Row
+from check_marking import Told, columns_of, solved, told
+from check_tables import Truth, doubts, rows, truth
+
+START = "0.0005 0.02 1 0.5 r -0.4 r 2.5"
+DEGREES = "0.0002 0.01 2 20 s -100 s 9.81"
+QUARTER = "0.0001 0.02 1 90 s 0 r 1"
+BOTH_IN_DEGREES = "0.0005 0.02 1 -60 s 30 s 2"
+ROTATION = "0.0001 0.02 1 0 r 2.01 r 1"
+SEPARATRIX = "0.0001 0.02 1 0 r -2 r 1"
+NEAR = "0.0001 0.02 1 0 r 1.99 r 1"
+COARSE = "0.01 0.02 1 0.5 r -0.4 r 2.5"
+NAMES = {
+    START: "start",
+    DEGREES: "degrees",
+    QUARTER: "quarter",
+    BOTH_IN_DEGREES: "both",
+    ROTATION: "rotation",
+    SEPARATRIX: "separatrix",
+    NEAR: "near",
+    COARSE: "coarse",
+}
+
+DIGITS = (6, 10)
+USUAL = (START, DEGREES)
+
+# Where mistakes show that do not in both of the usual two.
+ELSEWHERE = {
+    "alpha_gravity": (START, QUARTER),
+    "alpha_product": (START, QUARTER),
+    "both_as_degrees": (START, NEAR),
+    "both_degrees_inverted": (DEGREES, BOTH_IN_DEGREES),
+    "both_in_degrees": (DEGREES, BOTH_IN_DEGREES),
+    "omega0_as_degrees": (START, SEPARATRIX),
+    "omega0_degrees_inverted": (DEGREES, BOTH_IN_DEGREES),
+    "omega0_in_degrees": (DEGREES, BOTH_IN_DEGREES),
+    "theta0_as_degrees": (START, COARSE),
+    "theta0_degrees_inverted": (DEGREES, QUARTER),
+    "theta0_in_degrees": (DEGREES, QUARTER),
+    "theta0_in_degrees+euler": (DEGREES, QUARTER),
+    "rough_pi": (DEGREES, QUARTER),
+    "runge_kutta_3": (START, COARSE),
+    "verlet": (START, COARSE),
+}
+
+
+class Cell(NamedTuple):
+    row: str
+    column: str
+    mark: str
+    said: str
+    """Where that is not what was wanted."""
+
+
+# Programs.
+
+
+def cells_of_program(name: str, problems: Sequence[str] = (), digits: Sequence[int] = DIGITS) -> Iterator[Cell]:
+    """What is told of a program's tables of two problems."""
+    for problem in problems or ELSEWHERE.get(name, USUAL):
+        for precision in digits:
+            data = check_programs.run_program(name, problem, precision)
+            column = f"{NAMES.get(problem, problem)} {precision}"
+            yield cell(name, column, check_programs.findings(name), problem, data)
+
+
+def cell(row: str, column: str, wanted: Sequence[str], problem: str, data: bytes) -> Cell:
+    """A cell of the matrix: the mistakes `wanted` are to be told, or do not show."""
+    try:
+        found = told(problem, data)
+        mark = mark_of(set(wanted), found)
+        if mark == "x" and found.is_right and is_the_right_table(truth(problem), data):
+            mark = "."
+    except Exception as error:  # of the checker; a matrix shows it and goes on
+        return Cell(row, column, "x", f"{type(error).__name__}: {error}")
+    return Cell(row, column, mark, "" if mark == "ok" else in_words(found))
+
+
+def mark_of(wanted: set[str], found: Told) -> str:
+    if found.errors <= wanted <= found.errors | found.remarks:
+        return "ok"
+    every = set().union(*found.options)
+    if wanted <= every | found.remarks and all(option & wanted for option in found.options):
+        return "~"
+    return "x"
+
+
+def in_words(found: Told) -> str:
+    return ", ".join(sorted(" or ".join(sorted(option)) for option in found.options)) or "right"
+
+
+def is_the_right_table(known: Truth, data: bytes) -> bool:
+    """Whether every number is that of the right program, but for a unit of the last digit and what is nobody's fault."""
+    allowed = doubts(known)
+
+    def is_same(columns) -> bool:
+        return len(columns) == len(known.columns) and all(
+            column.values.shape == right.shape and bool(np.all(np.abs(column.values - right) <= column.units + doubt))
+            for column, right, doubt in zip(columns, known.columns, allowed, strict=True)
+        )
+
+    return any(map(is_same, columns_of(data, known.regime == -1)))
+
+
+# Layouts.
+
+
+def euler(problem: str) -> list[Row]:
+    solution = solved(problem, "--method", "euler").solution
+    return rows(solution.t, solution.theta, solution.omega, *truth(problem).columns[3:])
+
+
+def angle_in_degrees(problem: str) -> list[Row]:
+    return [(t, float(np.degrees(theta)), omega, sine) for t, theta, omega, sine in right(problem)]
+
+
+def sine_no_phase(problem: str) -> list[Row]:
+    known = truth(problem)
+    return [(*row[:3], known.theta_max * float(np.sin(2 * np.pi * row[0] / known.tau))) for row in right(problem)]
+
+
+def early_end(problem: str) -> list[Row]:
+    return right(problem)[:30]
+
+
+def wrong_cell(problem: str) -> list[Row]:
+    """0.001 is 100 units of the sixth digit, and of every later one more."""
+    table = right(problem)
+    t, theta, omega, sine = table[17]
+    return [*table[:17], (t, theta + 0.001, omega, sine), *table[18:]]
+
+
+def right(problem: str) -> list[Row]:
+    return rows(*truth(problem).columns)
+
+
+WRONG = (euler, angle_in_degrees, sine_no_phase, early_end, wrong_cell)
+
+
+def cells_of_layout(name: str, digits: Sequence[int] = DIGITS) -> Iterator[Cell]:
+    """What is told of right and wrong tables in a layout."""
+    for problem in (START, ROTATION):
+        for precision in digits:
+            data = LAYOUTS[name](right(problem), precision)
+            yield cell(name, f"right {NAMES[problem]} {precision}", [], problem, data)
+    for table in WRONG:
+        wanted = [table.__name__]
+        yield cell(name, table.__name__, wanted, START, LAYOUTS[name](table(START), digits[0]))
+
+
+# The picture.
+
+WIDTH = 40  # of names
+
+
+def main() -> int:
+    arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    arguments.add_argument("--problems", nargs="+", default=())
+    arguments.add_argument("--digits", type=lambda text: tuple(map(int, text.split(","))), default=DIGITS)
+    arguments.add_argument("--only", help="programs and layouts with this in their names", default="")
+    given = arguments.parse_args()
+    found = []
+    for names, cells_of, more in (
+        (check_programs.names(), cells_of_program, {"problems": given.problems}),
+        (LAYOUTS, cells_of_layout, {}),
+    ):
+        for name in names:
+            if given.only in name:
+                cells = list(cells_of(name, digits=given.digits, **more))
+                print_row(name, cells)
+                found += cells
+        print()
+    for each in found:
+        if each.mark in "~x":
+            print(f"{each.mark} {each.row}, {each.column}: {each.said}")
+    counts = Counter(each.mark for each in found)
+    print(", ".join(f"{counts[mark]} {mark}" for mark in ("ok", "~", ".", "x")))
+    return 1 if counts["x"] else 0
+
+
+def print_row(name: str, cells: Sequence[Cell]) -> None:
+    """One line: the columns' names are told only where they change."""
+    said, text = "", ""
+    for each in cells:
+        *words, last = each.column.split(" ")
+        text += f" {last if ' '.join(words) == said and words else '  ' + each.column} {each.mark}"
+        said = " ".join(words)
+    print(f"{name:{WIDTH}}{text}", flush=True)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -31,10 +31,12 @@ if TYPE_CHECKING:
     from pendula.check._program import Floats
     from pendula.check._table import Column, Columns
 
+ROUGHLY = 1e-8  # relative: what roundings may grow to in the first rows
 ROUNDING = 1e-11  # relative: what the roundings of ten thousand steps may be worth
 FIRST_ROWS = 4  # that a program must predict before it is replayed to the end
 MOST_WORK = 1 << 22  # steps of a program that is replayed; more are taken by the closed form
 MOST_ALTERNATIVES = 3
+MOST_IN_STATES = 2  # mistakes in what is read, computed and printed of states
 DECIDES = 0.1  # rad: beyond this, what rounding may be worth leaves nothing to judge
 
 
@@ -90,12 +92,11 @@ def readings(problem: Problem, mistakes: Sequence[Mistake]) -> Iterator[Reading]
 # How far a table may be from a prediction.
 
 
-def predictions(candidates: Sequence[Candidate], problem: Problem, rows: int | None = None) -> list[Prediction]:
+def predictions(candidates: Sequence[Candidate], problem: Problem) -> list[Prediction]:
     """What the candidates print, each with the spread of what is legitimately unknown: roundings, and the period."""
     three: list[tuple[Program, Clock, Start]] = []
     for candidate in candidates:
         clock, start = candidate.timing.clock, candidate.reading.start
-        clock = clock._replace(steps=clock.steps[:rows], unsure=clock.unsure[:rows])
         moved = start._replace(theta0=start.theta0 * (1 + ROUNDING), omega0=start.omega0 * (1 + ROUNDING))
         slower = clock._replace(dt=clock.dt * (1 + clock.doubt))
         three += [(candidate.program, clock, start), (candidate.program, clock, moved), (candidate.program, slower, start)]
@@ -246,18 +247,34 @@ def explanations(problem: Problem, columns: Columns, places: Floats, changes: in
         (reading, _timings(problem, reading, right, columns.t, places))
         for reading in (right, *readings(problem, (*STARTS, *ALPHAS)))
     ]
-    candidates = []
-    for reading, of_reading in known:
-        for timing in of_reading:
-            left = changes - timing.changes - len(reading.mistakes)
-            if 0 <= left <= 2:
-                candidates += [each for each in _programs(reading, timing, left)]
     found: list[Explanation] = []
-    for batch in _batches(candidates):
+    for batch in _batches(_candidates(known, columns, changes)):
         found += _tried(batch, problem, columns, changes)
         if len(found) > MOST_ALTERNATIVES:
             break
     return found
+
+
+def _candidates(known: Sequence[tuple[Reading, list[Timing]]], columns: Columns, changes: int) -> Iterator[Candidate]:
+    """Programs with up to so many mistakes, at most two of them not in the times, whose first row may be that of the table."""
+    for reading, of_reading in known:
+        for timing in of_reading:
+            left = min(changes - timing.changes, MOST_IN_STATES) - len(reading.mistakes)
+            if left < 0:
+                continue
+            is_there = _starts_there(reading.start, timing, columns, left)
+            for each in _programs(reading, timing, left):
+                if is_there or each.program.steps_late or each.program.rows_late:
+                    yield each
+
+
+def _starts_there(start: Start, timing: Timing, columns: Columns, left: int) -> bool:
+    """Whether the first row, where it is that of the start, is as the start is printed."""
+    if timing.clock.steps[0] != 0:
+        return True
+    theta, omega = np.array([[start.theta0], [start.omega0]])
+    first = Prediction(wrap(theta), omega, ROUNDING * (1 + np.abs(theta)), ROUNDING * (1 + np.abs(omega)), theta)
+    return any(fits(first, printing, columns) for printing in (AS_ASKED, *(WRONGLY if left > 0 else ())))
 
 
 def _timings(problem: Problem, reading: Reading, right: Reading, t: Column, places: Floats) -> list[Timing]:
@@ -290,19 +307,17 @@ def _programs(reading: Reading, timing: Timing, most: int) -> Iterator[Candidate
                     yield Candidate(other.of(one.of(base)), reading, timing, (*reading.mistakes, one, other))
 
 
-def _batches(candidates: Sequence[Candidate]) -> Iterator[list[Candidate]]:
-    iterator = iter(candidates)
-    while batch := list(islice(iterator, 512)):
+def _batches(candidates: Iterator[Candidate]) -> Iterator[list[Candidate]]:
+    while batch := list(islice(candidates, 512)):
         yield batch
 
 
 def _tried(candidates: list[Candidate], problem: Problem, columns: Columns, changes: int) -> list[Explanation]:
     """The candidates that print all rows, with as many mistakes in the printing as are left of `changes`."""
     light = [each for each in candidates if each.timing.clock.steps.max(initial=0) <= MOST_WORK]
-    first = predictions(light, problem, FIRST_ROWS)
     likely = [
         each
-        for each, prediction in zip(light, first, strict=True)
+        for each, prediction in zip(light, _roughly(light, problem), strict=True)
         if any(fits(prediction, printing, columns) for printing in _printings(changes - each.changes))
     ]
     found = []
@@ -312,6 +327,25 @@ def _tried(candidates: list[Candidate], problem: Problem, columns: Columns, chan
                 found.append(Explanation(each, printing, prediction))
                 break
     return found
+
+
+def _roughly(candidates: Sequence[Candidate], problem: Problem) -> list[Prediction]:
+    """The first rows that the candidates print, within more than what is legitimately unknown."""
+    if not candidates:
+        return []
+    clocks = [each.timing.clock for each in candidates]
+    clocks = [clock._replace(steps=clock.steps[:FIRST_ROWS]) for clock in clocks]
+    motion = replay([each.program for each in candidates], problem, clocks, [each.reading.start for each in candidates])
+    rough = []
+    for each, clock, theta, omega in zip(candidates, clocks, *motion, strict=True):
+        alpha = each.reading.start.alpha
+        unsure = each.timing.clock.unsure[:FIRST_ROWS] + 2 * each.timing.clock.doubt * clock.steps * clock.dt
+        with np.errstate(invalid="ignore", over="ignore"):
+            late = (np.abs(omega) * unsure, np.abs(each.program.sign * alpha) * unsure)
+            floors = [ROUGHLY * (1 + np.abs(motion)) for motion in (theta, omega)]
+            slacks = [np.nan_to_num(a + b, nan=0.0, posinf=1e300) for a, b in zip(late, floors, strict=True)]
+        rough.append(Prediction(wrap(theta), omega, *slacks, theta))
+    return rough
 
 
 def _printings(left: int) -> tuple[Printing, ...]:

@@ -10,6 +10,8 @@ from pendula.check._explain import AS_ASKED, Candidate, Explanation, Reading, fi
 from pendula.check._mistakes import STEPPERS, Mistake
 from pendula.check._program import RIGHT, Program, Start, replay, taken
 
+from pendula.check._timing import timings
+
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
 
@@ -53,7 +55,7 @@ def terms(problem: Problem) -> Iterator[Term]:
     yield Term("drive", ("amplitude", "frequency"), drive, [[0.01 * problem.alpha, f * rate] for f in FREQUENCIES])
 
 
-def fitted(problem: Problem, timing: Timing, columns: Columns) -> list[Explanation]:
+def fitted(problem: Problem, timing: Timing, columns: Columns, places: Floats) -> list[Explanation]:
     """A program with one such term, and Runge-Kutta or another method, that prints the table's states."""
     if not 0 < timing.clock.steps.max() <= MOST_STEPS:
         return []
@@ -64,8 +66,19 @@ def fitted(problem: Problem, timing: Timing, columns: Columns) -> list[Explanati
                 continue
             found = _fit(problem, timing, columns, term, stepper)
             if found:
-                return [found]
+                return [_in_own_time(problem, found, columns, places)]
     return []
+
+
+def _in_own_time(problem: Problem, found: Explanation, columns: Columns, places: Floats) -> Explanation:
+    """The explanation with the times that follow from another α, where they are those of the table."""
+    candidate = found.candidate
+    if candidate.program.alpha == RIGHT.alpha or candidate.timing.changes == 0:
+        return found
+    for timing in timings(problem, candidate.reading.start, columns.t, places):
+        if timing.changes < candidate.timing.changes:
+            return found._replace(candidate=candidate._replace(timing=timing))
+    return found
 
 
 def _fit(problem: Problem, timing: Timing, columns: Columns, term: Term, stepper: Mistake | None) -> Explanation | None:

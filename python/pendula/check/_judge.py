@@ -191,7 +191,7 @@ def _of_states(problem: Problem, view: View) -> list[Finding]:
     findings += in_time
     findings += _of_wrapping(columns.theta.scaled(1 / printing.theta_factor), prediction, printing.form, columns)
     if all(each.name != "regime" for each in findings):
-        findings += _of_sinusoid(problem, start, timing, columns, is_rough)
+        findings += _of_sinusoid(problem, start, timing, columns, is_rough, printing.theta_factor)
     return findings
 
 
@@ -211,7 +211,7 @@ def _explained(problem: Problem, view: View) -> list[Explanation] | Finding:
     wrong = sum(int(each.sum()) for each in view.wrong)
     if wrong <= max(1, WRONG_CELLS * rows) and rows > 3:
         return Finding("wrong_cell", {"count": wrong}, where=where)
-    found = fitted(problem, view.timing, columns) or explanations(problem, columns, view.places, 2) or explanations(problem, columns, view.places, 3)
+    found = fitted(problem, view.timing, columns, view.places) or explanations(problem, columns, view.places, 2) or explanations(problem, columns, view.places, 3)
     if found:
         return found
     if any(in_single_precision(problem, timing, columns) for timing in timings(problem, taken(RIGHT, problem), columns.t, view.places)):
@@ -315,7 +315,7 @@ WRAPPINGS = (
 # The sinusoid.
 
 
-def _of_sinusoid(problem: Problem, start: Start, timing: Timing, columns: Columns, is_rough: bool) -> list[Finding]:
+def _of_sinusoid(problem: Problem, start: Start, timing: Timing, columns: Columns, is_rough: bool, factor: float) -> list[Finding]:
     """The fourth column, which is there where the pendulum oscillates and only there."""
     sine, regime = columns.sine, regime_of(start)
     if start != taken(RIGHT, problem) and (sine is not None) == (regime == -1) and regime != problem.regime:
@@ -329,6 +329,8 @@ def _of_sinusoid(problem: Problem, start: Start, timing: Timing, columns: Column
     t = Column(columns.t.values * timing.unit, columns.t.units * timing.unit)
     rows = Column(timing.clock.steps * timing.clock.dt, timing.clock.unsure)
     right = right_sinusoid(start, timing.tau)
+    if factor != 1 and not np.all(sine_fits(right.at, start, rows, sine)):
+        sine = sine.scaled(1 / factor)  # told with the angle
     for times in (rows, t, columns.t):
         if np.all(sine_fits(right.at, start, times, sine)):
             return []

@@ -1,6 +1,8 @@
 // Programs of `replay` as the kernels take them.
 #pragma once
 
+#include <cstddef>
+
 #include "kernels/chunk.hpp"
 #include "pendula/replay.hpp"
 
@@ -15,7 +17,7 @@ using ReplayRow = double[replay_size];
 /// Up to replay_size programs with the same number of stages. The arrays are those of `Program`. The remaining places hold
 /// zeros and states of NaN.
 struct alignas(64) ReplayChunk {
-    int stages = 0;
+    std::size_t stages = 0;
     bool has_sine = false;        ///< a force is a sine or a cosine
     bool has_polynomial = false;  ///< a force is a part of the sine's series
     bool is_driven = false;       ///< a program has a drive or a shaken pivot; the others have frequency and phase 0

@@ -28,8 +28,8 @@ Single operator-(const Single& x, const Single& y) { return {to_float(x.value - 
 Single operator*(const Single& x, const Single& y) { return {to_float(x.value * y.value)}; }
 Single operator/(const Single& x, double y) { return {to_float(x.value / y)}; }
 
-const T& doubles(const T& x) { return x; }
-const T& doubles(const Single& x) { return x.value; }
+T doubles(const T& x) { return x; }
+T doubles(const Single& x) { return x.value; }
 
 /// Doubles that are numbers of type N already.
 template <class N>
@@ -93,18 +93,18 @@ N force_of(const ReplayChunk& c, const N& x) {
 
 template <class N>
 void replay_steps(ReplayChunk& c, double first, int steps) {
-    const int stages = c.stages;
+    const std::size_t stages = c.stages;
     const auto& p = c.parameters;
     const Terms<N> terms{at<N>(p.alpha), at<N>(p.beta), at<N>(p.torque), at<N>(p.drive_amplitude), at<N>(p.pivot_amplitude)};
     N theta = at<N>(c.theta), omega = at<N>(c.omega);
     N v[stages_limit], a[stages_limit];
     for (int step = 0; step < steps; ++step) {
-        for (int s = 0; s < stages; ++s) {
+        for (std::size_t s = 0; s < stages; ++s) {
             const ReplayRow* const own = c.coefficients + s * (3 + 4 * stages);
             N x = at<N>(own[0]) * theta, w = at<N>(own[1]) * omega;
             if (s > 0) {
                 N dx{}, dw{};
-                for (int j = 0; j < s; ++j) {
+                for (std::size_t j = 0; j < s; ++j) {
                     const ReplayRow* const of_j = own + 3 + j;
                     dx = dx + (at<N>(of_j[0]) * v[j] + at<N>(of_j[stages]) * a[j]);
                     dw = dw + (at<N>(of_j[2 * stages]) * v[j] + at<N>(of_j[3 * stages]) * a[j]);
@@ -122,7 +122,7 @@ void replay_steps(ReplayChunk& c, double first, int steps) {
             a[s] = acceleration(terms, acting<Forcing::shaken>(terms, cosine), force_of(c, at<N>(c.scale) * x), w);
         }
         N d_theta{}, d_omega{};
-        for (int j = 0; j < stages; ++j) {
+        for (std::size_t j = 0; j < stages; ++j) {
             const ReplayRow* const of_j = c.sums + j;
             d_theta = d_theta + (at<N>(of_j[0]) * v[j] + at<N>(of_j[stages]) * a[j]);
             d_omega = d_omega + (at<N>(of_j[2 * stages]) * v[j] + at<N>(of_j[3 * stages]) * a[j]);

@@ -86,32 +86,36 @@ void put_program(ReplayChunk& c, int i, const Program& p) noexcept {
     put(c.dt, p.dt);
     for (std::size_t k = 0; k < p.coefficients.size(); ++k) put(c.coefficients[k], p.coefficients[k]);
     for (std::size_t k = 0; k < p.sums.size(); ++k) put(c.sums[k], p.sums[k]);
-    c.stages = static_cast<int>(p.stages);
+    c.stages = p.stages;
     c.force[i] = static_cast<double>(p.force);
     c.has_sine |= p.force == Force::sine || p.force == Force::cosine;
     c.has_polynomial |= p.force == Force::cubic || p.force == Force::quintic;
 }
 
-/// The programs of a call in the order in which chunks take them: those with floats last, and the shorter ones first.
+std::int64_t last_step(const Program& p) noexcept { return p.steps.empty() ? 0 : p.steps.back(); }
+
+/// The numbers of the programs, those with floats last and the shorter ones first. Null if memory could not be allocated.
+std::unique_ptr<std::size_t[]> order_of(std::span<const Program> programs) noexcept {
+    std::unique_ptr<std::size_t[]> order(new (std::nothrow) std::size_t[programs.size()]);
+    if (!order) return order;
+    for (std::size_t i = 0; i < programs.size(); ++i) order[i] = i;
+    std::sort(order.get(), order.get() + programs.size(), [&](std::size_t a, std::size_t b) {
+        if (programs[a].is_single != programs[b].is_single) return programs[b].is_single;
+        const std::int64_t of_a = last_step(programs[a]), of_b = last_step(programs[b]);
+        return of_a != of_b ? of_a < of_b : a < b;
+    });
+    return order;
+}
+
+/// The programs of a call in the order in which chunks take them. A chunk has programs with doubles or programs with floats.
 struct Order {
     std::span<const Program> programs;
     std::unique_ptr<std::size_t[]> numbers;
     std::size_t doubles = 0;  ///< how many programs compute with doubles
 
-    explicit Order(std::span<const Program> all) noexcept : programs(all), numbers(new(std::nothrow) std::size_t[all.size()]) {
-        if (!numbers) return;
-        for (std::size_t i = 0; i < all.size(); ++i) {
-            numbers[i] = i;
-            doubles += !all[i].is_single;
-        }
-        std::sort(numbers.get(), numbers.get() + all.size(), [&](std::size_t a, std::size_t b) {
-            if (all[a].is_single != all[b].is_single) return all[b].is_single;
-            const std::int64_t of_a = last_step(all[a]), of_b = last_step(all[b]);
-            return of_a != of_b ? of_a < of_b : a < b;
-        });
+    explicit Order(std::span<const Program> all) noexcept : programs(all), numbers(order_of(all)) {
+        for (const Program& p : all) doubles += !p.is_single;
     }
-
-    static std::int64_t last_step(const Program& p) noexcept { return p.steps.empty() ? 0 : p.steps.back(); }
 
     static std::size_t chunks_of(std::size_t count) noexcept { return (count + replay_size - 1) / replay_size; }
     std::size_t chunks() const noexcept { return chunks_of(doubles) + chunks_of(programs.size() - doubles); }

@@ -27,8 +27,14 @@ def findings(name: str) -> list[str]:
     return name.split("-")[0].split("+")
 
 
+def source(name: str) -> Path:
+    """The file of a program."""
+    (path,) = (path for path in FOLDER.iterdir() if path.stem == name)
+    return path
+
+
 def run_program(name: str, problem: str, digits: int = 6) -> bytes:
-    """What a program prints for a problem, or for several with a space or line end between them."""
+    """What a program prints for a problem, or for several, one a line."""
     done = finished([*command(name), str(digits)], problem.encode())
     assert (done.returncode, done.stderr) == (0, b""), (name, done.stderr)
     return done.stdout
@@ -37,11 +43,11 @@ def run_program(name: str, problem: str, digits: int = 6) -> bytes:
 @functools.cache
 def command(name: str) -> list[str | Path]:
     """What starts a program, compiled the first time that it is asked for."""
-    (source,) = (path for path in FOLDER.iterdir() if path.stem == name)
-    if source.suffix == ".py":
-        return [sys.executable, source]
+    written = source(name)
+    if written.suffix == ".py":
+        return [sys.executable, written]
     target = Path(binaries().name) / name
-    done = finished([*COMPILERS[source.suffix], source, "-o", target, "-lm"], b"")
+    done = finished([*COMPILERS[written.suffix], written, "-o", target, "-lm"], b"")
     assert done.returncode == 0, done.stderr.decode()
     return [target]
 

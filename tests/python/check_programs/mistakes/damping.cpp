@@ -1,92 +1,69 @@
-// Error: se ha quedado un rozamiento de otra tarea.
+// Error: queda un rozamiento, con beta = 0.1.
+#include <array>
 #include <cmath>
 #include <cstdlib>
+#include <functional>
+#include <iomanip>
 #include <iostream>
-using namespace std;
+#include <tuple>
+#include <vector>
 
-const double PI = acos(-1.0);
+using Par = std::array<double, 2>;
+using Campo = std::function<Par(double, Par)>;
+constexpr double PI = 3.141592653589793238;
 
-bool validaAngulo(double& angulo, char unidades) {
-    if (unidades == 's') angulo *= PI / 180;
-    return unidades == 'r' || unidades == 's';
+Par suma(Par y, double c, Par k) { return {y[0] + c * k[0], y[1] + c * k[1]}; }
+
+Par paso_rk(const Campo& f, double t, Par y, double h) {
+    const Par k1 = f(t, y);
+    const Par k2 = f(t + h / 2, suma(y, h / 2, k1));
+    const Par k3 = f(t + h / 2, suma(y, h / 2, k2));
+    const Par k4 = f(t + h, suma(y, h, k3));
+    for (int i : {0, 1}) y[i] += h * (k1[i] / 6 + k2[i] / 3 + k3[i] / 3 + k4[i] / 6);
+    return y;
 }
 
-double fase(double s, double r) {
-    if (s >= 1) return PI / 2;
-    if (s <= -1) return -PI / 2;
-    return r < 0 ? PI - asin(s) : asin(s);
-}
+double a_radianes(double x, char unidad) { return unidad == 's' ? x / 180 * PI : x; }
 
-double normaliza(double theta) { return theta - 2 * PI * floor((theta + PI) / (2 * PI)); }
-
-double serie(double r, double epsilon) {
-    double N = log(epsilon * (1 - r * r)) / (2 * log(r)), a = 1, suma = 1;
-    for (int n = 1; n <= N + 1; n++) {
-        a *= pow((2.0 * n - 1) / (2.0 * n) * r, 2);
-        suma += a;
+std::tuple<double, double, int> analisis(double alfa, double x, double v, double eps = 1e-14) {
+    const double e = v * v / (2 * alfa) - std::cos(x);
+    if (std::fabs(e - 1) < 1e-9) {
+        const double s = v < 0 ? -1 : 1;
+        return {s * PI, s / std::sqrt(alfa) * std::log(std::tan(0.999 * s * PI / 4 + PI / 4) / std::tan(x / 4 + PI / 4)), 0};
     }
-    return suma;
-}
-
-void analisis(double alpha, double theta0, double w0, double epsilon, double& thetaM, double& tau, int& k) {
-    double e = w0 * w0 / (2 * alpha) - cos(theta0);
-    if (fabs(e - 1) < 1e-9) {
-        k = 0;
-        thetaM = w0 >= 0 ? PI : -PI;
-        tau = log(tan(0.999 * thetaM / 4 + PI / 4) / tan(theta0 / 4 + PI / 4)) / sqrt(alpha);
-        if (w0 < 0) tau = -tau;
-    } else if (e < 1) {
-        k = -1;
-        thetaM = acos(cos(theta0) - w0 * w0 / (2 * alpha));
-        tau = 2 * PI / sqrt(alpha) * serie(sin(thetaM / 2), epsilon);
-    } else {
-        k = 1;
-        thetaM = PI;
-        double A = sqrt(w0 * w0 + 2 * alpha * (1 - cos(theta0))) / 2;
-        tau = PI / A * serie(sqrt(alpha) / A, epsilon);
-    }
-}
-
-void RungeKutta(double alpha, double& theta, double& w, double dt) {
-    const double beta = 0.1;
-    double dThetaA = w * dt;
-    double dwA = (-alpha * sin(theta) - beta * w) * dt;
-    double dThetaB = (w + dwA / 2) * dt;
-    double dwB = (-alpha * sin(theta + dThetaA / 2) - beta * (w + dwA / 2)) * dt;
-    double dThetaC = (w + dwB / 2) * dt;
-    double dwC = (-alpha * sin(theta + dThetaB / 2) - beta * (w + dwB / 2)) * dt;
-    double dThetaD = (w + dwC) * dt;
-    double dwD = (-alpha * sin(theta + dThetaC) - beta * (w + dwC)) * dt;
-    theta += dThetaA / 6 + dThetaB / 3 + dThetaC / 3 + dThetaD / 6;
-    w += dwA / 6 + dwB / 3 + dwC / 3 + dwD / 6;
+    const double A = std::sqrt(v * v + 2 * alfa * (1 - std::cos(x))) / 2;
+    const double r = e < 1 ? A / std::sqrt(alfa) : std::sqrt(alfa) / A;
+    const double T0 = e < 1 ? 2 * PI / std::sqrt(alfa) : PI / A;
+    double S = 0, a = 1;
+    for (int n = 0; a > eps * (1 - r * r); a *= std::pow((2 * n - 1) * r / (2 * n), 2)) S += a, n++;
+    return {e < 1 ? std::acos(-e) : PI, T0 * S, e < 1 ? -1 : 1};
 }
 
 int main(int argc, char* argv[]) {
-    double fDelta, fCout, fSimul, theta, w, alpha;
-    char uTheta, uW;
-    bool primero = true;
-    cout.precision(argc > 1 ? atoi(argv[1]) : 6);
-    while (cin >> fDelta >> fCout >> fSimul >> theta >> uTheta >> w >> uW >> alpha) {
-        if (alpha <= 0 || fDelta <= 0 || fCout <= 0 || fSimul <= 0 || !validaAngulo(theta, uTheta) || !validaAngulo(w, uW)) {
-            cerr << "Datos incorrectos\n";
-            return 1;
+    std::cout << std::setprecision(argc > 1 ? std::atoi(argv[1]) : 6);
+    double fd, fc, fs, x, v, alfa;
+    char ux, uv;
+    for (int n = 0; std::cin >> fd >> fc >> fs >> x >> ux >> v >> uv >> alfa; n++) {
+        x = std::remainder(a_radianes(x, ux), 2 * PI);
+        v = a_radianes(v, uv);
+        const auto [limite, tau, k] = analisis(alfa, x, v);
+        const double s = x / limite, arco = s >= 1 ? PI / 2 : s <= -1 ? -PI / 2 : std::asin(s);
+        const double fi = v < 0 && std::fabs(s) < 1 ? PI - arco : arco;
+        const double beta = 0.1;
+        const Campo campo = [&](double, Par y) { return Par{y[1], -alfa * std::sin(y[0]) - beta * y[1]}; };
+
+        std::vector<std::pair<double, Par>> filas;
+        Par y{x, v};
+        for (int i = 0; i <= std::lround(fs / fd); i++) {
+            if (i % std::lround(fc / fd) == 0) filas.push_back({i * fd * tau, y});
+            y = paso_rk(campo, i * fd * tau, y, fd * tau);
         }
-        theta = normaliza(theta);
-        if (!primero) cout << "\n\n";
-        primero = false;
-        double thetaM, tau;
-        int k;
-        analisis(alpha, theta, w, 1e-13, thetaM, tau, k);
-        double dt = fDelta * tau, phi = fase(theta / thetaM, w);
-        int cada = round(fCout / fDelta), pasos = round(fSimul / fDelta);
-        cout << "t angulo velocidad" << (k == -1 ? " funcionSinusoidal\n" : "\n");
-        for (int n = 0; n <= pasos; n++) {
-            if (n % cada == 0) {
-                cout << n * dt << ' ' << normaliza(theta) << ' ' << w;
-                if (k == -1) cout << ' ' << thetaM * sin(2 * PI * n * dt / tau + phi);
-                cout << '\n';
-            }
-            RungeKutta(alpha, theta, w, dt);
+
+        std::cout << (n ? "\n\n" : "") << "t angulo velocidad" << (k < 0 ? " funcionSinusoidal" : "") << '\n';
+        for (const auto& [t, estado] : filas) {
+            std::cout << t << ' ' << std::remainder(estado[0], 2 * PI) << ' ' << estado[1];
+            if (k < 0) std::cout << ' ' << limite * std::sin(2 * PI * t / tau + fi);
+            std::cout << '\n';
         }
     }
 }

@@ -22,21 +22,19 @@ class Pendulum:
         elif e < 1:
             self.k = -1
             self.limit = math.acos(math.cos(self.theta) - self.omega**2 / (2 * self.alpha))
-            self.tau = self.series(2 * math.pi / math.sqrt(self.alpha), math.sin(self.limit / 2))
+            self.tau = 2 * math.pi / math.sqrt(self.alpha) / self.agm(1, math.cos(self.limit / 2))
             self.phase = math.asin(max(-1, min(1, self.theta / self.limit)))
             if self.omega < 0:
                 self.phase = math.pi - self.phase
         else:
             self.k = 1
             a = math.sqrt(self.omega**2 + 2 * self.alpha * (1 - math.cos(self.theta))) / 2
-            self.tau = self.series(math.pi / a, math.sqrt(self.alpha) / a)
+            self.tau = math.pi / self.agm(a, math.sqrt(a**2 - self.alpha))
 
-    def series(self, first, r, epsilon=1e-13):
-        term = total = 1
-        for n in range(1, 1 + math.ceil(math.log(epsilon * (1 - r**2)) / (2 * math.log(r)))):
-            term *= ((2 * n - 1) / (2 * n) * r) ** 2
-            total += term
-        return first * total
+    def agm(self, a, b, epsilon=1e-15):
+        while abs(a - b) > epsilon * a:
+            a, b = (a + b) / 2, math.sqrt(a * b)
+        return a
 
     def acceleration(self, theta):
         return -self.alpha * math.sin(theta)

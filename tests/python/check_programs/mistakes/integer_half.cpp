@@ -1,82 +1,68 @@
-// Error: 1 / 2 es 0 en las etapas.
+// Error: 1 / 2 es 0: las etapas intermedias no avanzan.
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
+#include <functional>
+#include <iomanip>
 #include <iostream>
-#include <string>
+#include <tuple>
 #include <vector>
-using namespace std;
-typedef vector<double> Vector;
 
-const double pi = 4 * atan(1.0);
-const double c[4][4] = {{0, 0, 0, 0}, {1 / 2, 0, 0, 0}, {0, 1 / 2, 0, 0}, {0, 0, 1, 0}};
-const double b[4] = {1. / 6, 1. / 3, 1. / 3, 1. / 6};
+using Par = std::array<double, 2>;
+using Campo = std::function<Par(double, Par)>;
+constexpr double PI = 3.141592653589793238;
 
-Vector f(const Vector& y, double alpha) {
-    Vector dy(2);
-    dy[0] = y[1];
-    dy[1] = -alpha * sin(y[0]);
-    return dy;
+Par suma(Par y, double c, Par k) { return {y[0] + c * k[0], y[1] + c * k[1]}; }
+
+Par paso_rk(const Campo& f, double t, Par y, double h) {
+    const Par k1 = f(t, y);
+    const Par k2 = f(t + h / 2, suma(y, 1 / 2 * h, k1));
+    const Par k3 = f(t + h / 2, suma(y, 1 / 2 * h, k2));
+    const Par k4 = f(t + h, suma(y, h, k3));
+    for (int i : {0, 1}) y[i] += h * (k1[i] / 6 + k2[i] / 3 + k3[i] / 3 + k4[i] / 6);
+    return y;
 }
 
-void avanza(Vector& y, double h, double alpha) {
-    vector<Vector> k;
-    for (int i = 0; i < 4; i++) {
-        Vector z = y;
-        for (int j = 0; j < i; j++)
-            for (int m = 0; m < 2; m++) z[m] += h * c[i][j] * k[j][m];
-        k.push_back(f(z, alpha));
+double a_radianes(double x, char unidad) { return unidad == 's' ? x / 180 * PI : x; }
+
+std::tuple<double, double, int> analisis(double alfa, double x, double v, double eps = 1e-14) {
+    const double e = v * v / (2 * alfa) - std::cos(x);
+    if (std::fabs(e - 1) < 1e-9) {
+        const double s = v < 0 ? -1 : 1;
+        return {s * PI, s / std::sqrt(alfa) * std::log(std::tan(0.999 * s * PI / 4 + PI / 4) / std::tan(x / 4 + PI / 4)), 0};
     }
-    for (int i = 0; i < 4; i++)
-        for (int m = 0; m < 2; m++) y[m] += h * b[i] * k[i][m];
+    const double A = std::sqrt(v * v + 2 * alfa * (1 - std::cos(x))) / 2;
+    const double r = e < 1 ? A / std::sqrt(alfa) : std::sqrt(alfa) / A;
+    const double T0 = e < 1 ? 2 * PI / std::sqrt(alfa) : PI / A;
+    double S = 0, a = 1;
+    for (int n = 0; a > eps * (1 - r * r); a *= std::pow((2 * n - 1) * r / (2 * n), 2)) S += a, n++;
+    return {e < 1 ? std::acos(-e) : PI, T0 * S, e < 1 ? -1 : 1};
 }
 
-double T(double T0, double r) {
-    double suma = 0, a = 1;
-    for (int n = 1; a > 1e-17 * suma; n++) {
-        suma += a;
-        a *= (2 * n - 1) * r / (2 * n) * (2 * n - 1) * r / (2 * n);
-    }
-    return T0 * suma;
-}
+int main(int argc, char* argv[]) {
+    std::cout << std::setprecision(argc > 1 ? std::atoi(argv[1]) : 6);
+    double fd, fc, fs, x, v, alfa;
+    char ux, uv;
+    for (int n = 0; std::cin >> fd >> fc >> fs >> x >> ux >> v >> uv >> alfa; n++) {
+        x = std::remainder(a_radianes(x, ux), 2 * PI);
+        v = a_radianes(v, uv);
+        const auto [limite, tau, k] = analisis(alfa, x, v);
+        const double s = x / limite, arco = s >= 1 ? PI / 2 : s <= -1 ? -PI / 2 : std::asin(s);
+        const double fi = v < 0 && std::fabs(s) < 1 ? PI - arco : arco;
+        const Campo campo = [&](double, Par y) { return Par{y[1], -alfa * std::sin(y[0])}; };
 
-int main(int argc, char** argv) {
-    const int cifras = argc > 1 ? atoi(argv[1]) : 6;
-    double fd, fc, fs, th, w, alpha;
-    string uth, uw;
-    for (int problema = 0; cin >> fd >> fc >> fs >> th >> uth >> w >> uw >> alpha; problema++) {
-        if (uth == "s") th *= pi / 180;
-        if (uw == "s") w *= pi / 180;
-        th = atan2(sin(th), cos(th));
-        const double E = w * w / (2 * alpha) + 1 - cos(th);  // en unidades de mgl
-        double limite, tau, phi = 0;
-        int k;
-        if (fabs(E - 2) < 1e-9 * 2) {
-            k = 0;
-            limite = w < 0 ? -pi : pi;
-            tau = (w < 0 ? -1 : 1) * log(tan((0.999 * limite + pi) / 4) / tan((th + pi) / 4)) / sqrt(alpha);
-        } else if (E < 2) {
-            k = -1;
-            limite = acos(1 - E);
-            tau = T(2 * pi / sqrt(alpha), sin(limite / 2));
-            const double s = th / limite;
-            phi = s >= 1 ? pi / 2 : s <= -1 ? -pi / 2 : w < 0 ? pi - asin(s) : asin(s);
-        } else {
-            k = 1;
-            limite = pi;
-            const double A = sqrt(alpha * E / 2);
-            tau = T(pi / A, sqrt(alpha) / A);
+        std::vector<std::pair<double, Par>> filas;
+        Par y{x, v};
+        for (int i = 0; i <= std::lround(fs / fd); i++) {
+            if (i % std::lround(fc / fd) == 0) filas.push_back({i * fd * tau, y});
+            y = paso_rk(campo, i * fd * tau, y, fd * tau);
         }
-        printf("%st angulo velocidad%s\n", problema ? "\n\n" : "", k == -1 ? " funcionSinusoidal" : "");
-        Vector y = {th, w};
-        const int porFila = (int)(fc / fd + 0.5), filas = (int)(fs / fc + 1e-6);
-        for (int fila = 0; fila <= filas; fila++) {
-            const double t = fila * fc * tau;
-            printf("%.*g %.*g %.*g", cifras, t, cifras, y[0] - 2 * pi * floor((y[0] + pi) / (2 * pi)), cifras, y[1]);
-            if (k == -1) printf(" %.*g", cifras, limite * sin(2 * pi / tau * t + phi));
-            printf("\n");
-            for (int i = 0; i < porFila; i++) avanza(y, fd * tau, alpha);
+
+        std::cout << (n ? "\n\n" : "") << "t angulo velocidad" << (k < 0 ? " funcionSinusoidal" : "") << '\n';
+        for (const auto& [t, estado] : filas) {
+            std::cout << t << ' ' << std::remainder(estado[0], 2 * PI) << ' ' << estado[1];
+            if (k < 0) std::cout << ' ' << limite * std::sin(2 * PI * t / tau + fi);
+            std::cout << '\n';
         }
     }
 }

@@ -61,7 +61,7 @@ int main(int argc, char** argv) {
             k = -1;
             limite = acos(1 - E);
             tau = T(2 * pi / sqrt(alpha), sin(limite / 2));
-            const double s = th / limite;
+            const double s = limite > 0 ? th / limite : 0;
             phi = s >= 1 ? pi / 2 : s <= -1 ? -pi / 2 : w < 0 ? pi - asin(s) : asin(s);
         } else {
             k = 1;

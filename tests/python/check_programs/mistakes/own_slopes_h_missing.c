@@ -37,10 +37,15 @@ double fase(double s, double r) {
 }
 
 double integral(double T0, double r) { /* de la integral eliptica, por la regla del punto medio */
-    double suma = 0;
-    int i, n = 4000;
-    for (i = 0; i < n; i++) suma += 1 / sqrt(1 - pow(r * sin(pi / 2 * (i + 0.5) / n), 2));
-    return T0 * suma / n;
+    double media = 0, antes;
+    int i, n = 16;
+    do {
+        antes = media;
+        media = 0;
+        for (i = 0; i < n; i++) media += 1 / sqrt(1 - pow(r * sin(pi / 2 * (i + 0.5) / n), 2)) / n;
+        n *= 2;
+    } while (fabs(media - antes) > 1e-12 * media);
+    return T0 * media;
 }
 
 void analisis(double th, double w, double *thM, double *tau, int *k) {

@@ -1,83 +1,76 @@
-/* Error: cada variable con sus propios incrementos, y estos otra vez por dt en las etapas. */
-#include <math.h>
+/* Error: o y v por separado, y h dos veces en las etapas: ya va en o1...v4. */
 #include <stdio.h>
 #include <stdlib.h>
-#define PI 3.141592653589793
+#include <math.h>
 
-double alpha, th, w, dt;        /* el pendulo */
-double thM, tau, phi;
-int k;
+int main(int argc, char *argv[])
+{
+    double pi = 4*atan(1), fd, fc, fs, o, v, al, c, m, tau, fi, h, tt, x, S, a, r, T0;
+    double o1, o2, o3, o4, v1, v2, v3, v4;
+    char u, z;
+    int d = 6, k, n, i, j, primera = 1;
 
-double aceleracion(double x) { return -alpha * sin(x); }
+    if (argc > 1) d = atoi(argv[1]);
+otra:
+    if (scanf("%lf %lf %lf %lf %c %lf %c %lf", &fd, &fc, &fs, &o, &u, &v, &z, &al) != 8) return 0;
+    if (u == 's') o = o/180*pi;
+    if (z == 's') v = v/180*pi;
+    o = o - 2*pi*floor((o + pi)/(2*pi));
 
-void paso(void) {
-    double tA, tB, tC, tD, wA, wB, wC, wD;
-    tA = w * dt;
-    tB = (w + tA * dt / 2) * dt;
-    tC = (w + tB * dt / 2) * dt;
-    tD = (w + tC * dt) * dt;
-    wA = aceleracion(th) * dt;
-    wB = aceleracion(th + wA * dt / 2) * dt;
-    wC = aceleracion(th + wB * dt / 2) * dt;
-    wD = aceleracion(th + wC * dt) * dt;
-    th = th + tA / 6. + tB / 3. + tC / 3. + tD / 6.;
-    w = w + wA / 6. + wB / 3. + wC / 3. + wD / 6.;
-}
-
-double serie(double r) {
-    double a = 1, s = 1;
-    int n, N = (int)(log(1e-14 * (1 - r * r)) / (2 * log(r))) + 1;
-    for (n = 1; n <= N; n++) {
-        a *= (2. * n - 1) / (2. * n) * r * (2. * n - 1) / (2. * n) * r;
-        s += a;
-    }
-    return s;
-}
-
-void analisis(void) {
-    double e = w * w / (2 * alpha) - cos(th), A;
-    if (fabs(e - 1) < 1e-9) {
+    /* analisis */
+    c = v*v/(2*al) - cos(o);
+    fi = 0;
+    if (fabs(c - 1) < 1e-9) {
         k = 0;
-        thM = w >= 0 ? PI : -PI;
-        tau = log(tan(0.999 * thM / 4 + PI / 4) / tan(th / 4 + PI / 4)) / sqrt(alpha);
-        if (w < 0) tau = -tau;
-    } else if (e < 1) {
-        k = -1;
-        thM = acos(cos(th) - w * w / (2 * alpha));
-        tau = 2 * PI / sqrt(alpha) * serie(sin(thM / 2));
-        if (th / thM >= 1) phi = PI / 2;
-        else if (th / thM <= -1) phi = -PI / 2;
-        else phi = w < 0 ? PI - asin(th / thM) : asin(th / thM);
+        m = (v < 0) ? -pi : pi;
+        tau = fabs(log(tan(0.999*m/4 + pi/4)/tan(o/4 + pi/4)))/sqrt(al);
     } else {
-        k = 1;
-        thM = PI;
-        A = sqrt(w * w + 2 * alpha * (1 - cos(th))) / 2;
-        tau = PI / A * serie(sqrt(alpha) / A);
-    }
-}
-
-int main(int argc, char *argv[]) {
-    int d = argc > 1 ? atoi(argv[1]) : 6, primero = 1, n, cada, total;
-    double fd, fc, fs;
-    char ut, uw;
-    while (scanf("%lf%lf%lf%lf %c%lf %c%lf", &fd, &fc, &fs, &th, &ut, &w, &uw, &alpha) == 8) {
-        if (ut == 's') th = th * PI / 180;
-        if (uw == 's') w = w * PI / 180;
-        th = th - 2 * PI * floor((th + PI) / (2 * PI));
-        analisis();
-        dt = fd * tau;
-        cada = (int)(fc / fd + 0.5);
-        total = (int)(fs / fd + 0.5);
-        printf("%st angulo velocidad%s\n", primero ? "" : "\n\n", k < 0 ? " funcionSinusoidal" : "");
-        primero = 0;
-        for (n = 0; n <= total; n++) {
-            if (n % cada == 0) {
-                printf("%.*g %.*g %.*g", d, n * dt, d, th - 2 * PI * floor((th + PI) / (2 * PI)), d, w);
-                if (k < 0) printf(" %.*g", d, thM * sin(2 * PI / tau * n * dt + phi));
-                printf("\n");
-            }
-            paso();
+        if (c < 1) {
+            k = -1;
+            m = acos(-c);
+            T0 = 2*pi/sqrt(al);
+            r = sin(m/2);
+            if (o >= m) fi = pi/2;
+            else if (o <= -m) fi = -pi/2;
+            else if (v < 0) fi = pi - asin(o/m);
+            else fi = asin(o/m);
+        } else {
+            k = 1;
+            m = pi;
+            a = sqrt(v*v + 2*al*(1 - cos(o)))/2;
+            T0 = pi/a;
+            r = sqrt(al)/a;
         }
+        for (S = a = 1, n = 1; a > 1e-15*(1 - r*r); n++) S += a *= r*r*(2*n - 1.)*(2*n - 1.)/(4.*n*n);
+        tau = T0*S;
     }
-    return 0;
+
+    if (!primera) puts("\n");
+    primera = 0;
+    printf("t\tangulo\tvelocidad");
+    if (k == -1) printf("\tfuncionSinusoidal");
+    h = fd*tau;
+    tt = 0;
+    for (i = 0, j = 0; tt <= fs*tau + h/2; tt = ++i*h) {
+        if (fabs(tt - j*fc*tau) < h/2) {
+            x = o;
+            while (x >= pi) x -= 2*pi;
+            while (x < -pi) x += 2*pi;
+            printf("\n%.*g\t%.*g\t%.*g", d, tt, d, x, d, v);
+            if (k == -1) printf("\t%.*g", d, m*sin(2*pi/tau*tt + fi));
+            j++;
+        }
+        o1 = h*v;
+        o2 = h*(v + o1*h/2);
+        o3 = h*(v + o2*h/2);
+        o4 = h*(v + o3*h);
+        v1 = -h*al*sin(o);
+        v2 = -h*al*sin(o + v1*h/2);
+        v3 = -h*al*sin(o + v2*h/2);
+        v4 = -h*al*sin(o + v3*h);
+        o += (o1 + 2*o2 + 2*o3 + o4)/6;
+        v += (v1 + 2*v2 + 2*v3 + v4)/6;
+    }
+    puts("");
+    goto otra;
 }

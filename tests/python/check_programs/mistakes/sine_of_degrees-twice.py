@@ -42,6 +42,11 @@ while len(datos) >= 8:
             A = sqrt(w**2 + 2*alfa*(1 - cos(theta)))/2
             T0 = pi/A
             r = sqrt(alfa)/A
+        # la serie converge despacio si r es casi 1: transformacion de Landen hasta que no lo sea
+        while r > 0.1:
+            rp = sqrt(1 - r**2)
+            r = (1 - rp)/(1 + rp)
+            T0 = T0*(1 + r)
         a = 1
         S = 1
         n = 1

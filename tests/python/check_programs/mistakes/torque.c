@@ -1,79 +1,87 @@
-/* Error: un momento constante de 0.2 en la aceleracion. */
+/* Mistake: a constant torque is left in. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#define PI 3.141592653589793
 
-double alpha, th, w, dt;        /* el pendulo */
-double thM, tau, phi;
-int k;
+enum { THETA, OMEGA, DIM };
 
-double aceleracion(double x) { return -alpha * sin(x) + 0.2; }
+struct pendulum {
+    double alpha, limit, tau, phase;
+    int oscillates;
+};
 
-void paso(void) {
-    double tA, tB, tC, tD, wA, wB, wC, wD;
-    tA = w * dt;              wA = aceleracion(th) * dt;
-    tB = (w + wA / 2) * dt;   wB = aceleracion(th + tA / 2) * dt;
-    tC = (w + wB / 2) * dt;   wC = aceleracion(th + tB / 2) * dt;
-    tD = (w + wC) * dt;       wD = aceleracion(th + tC) * dt;
-    th = th + tA / 6. + tB / 3. + tC / 3. + tD / 6.;
-    w = w + wA / 6. + wB / 3. + wC / 3. + wD / 6.;
+static double acceleration(const struct pendulum *p, double theta)
+{
+    const double torque = 0.2;
+    return torque - p->alpha * sin(theta);
 }
 
-double serie(double r) {
-    double a = 1, s = 1;
-    int n, N = (int)(log(1e-14 * (1 - r * r)) / (2 * log(r))) + 1;
-    for (n = 1; n <= N; n++) {
-        a *= (2. * n - 1) / (2. * n) * r * (2. * n - 1) / (2. * n) * r;
-        s += a;
+/* Computes state number n + 1 from state number n. */
+static void step(const struct pendulum *p, double (*y)[DIM], int n, double h)
+{
+    static const double where[4] = {0, 0.5, 0.5, 1}, weight[4] = {1. / 6, 2. / 6, 2. / 6, 1. / 6};
+    double k[DIM] = {0, 0};
+    y[n + 1][THETA] = y[n][THETA];
+    y[n + 1][OMEGA] = y[n][OMEGA];
+    for (int stage = 0; stage < 4; stage++) {
+        double theta = y[n][THETA] + where[stage] * h * k[THETA];
+        double omega = y[n][OMEGA] + where[stage] * h * k[OMEGA];
+        k[THETA] = omega;
+        k[OMEGA] = acceleration(p, theta);
+        y[n + 1][THETA] += weight[stage] * h * k[THETA];
+        y[n + 1][OMEGA] += weight[stage] * h * k[OMEGA];
     }
-    return s;
 }
 
-void analisis(void) {
-    double e = w * w / (2 * alpha) - cos(th), A;
+static double mean(double a, double g)
+{
+    return fabs(a - g) < 4e-16 * a ? a : mean(0.5 * (a + g), sqrt(a * g));
+}
+
+static void analyse(struct pendulum *p, double theta, double omega)
+{
+    double e = omega * omega / (2 * p->alpha) - cos(theta), root = sqrt(p->alpha);
+    p->oscillates = 0;
+    p->limit = copysign(M_PI, omega);
     if (fabs(e - 1) < 1e-9) {
-        k = 0;
-        thM = w >= 0 ? PI : -PI;
-        tau = log(tan(0.999 * thM / 4 + PI / 4) / tan(th / 4 + PI / 4)) / sqrt(alpha);
-        if (w < 0) tau = -tau;
-    } else if (e < 1) {
-        k = -1;
-        thM = acos(cos(th) - w * w / (2 * alpha));
-        tau = 2 * PI / sqrt(alpha) * serie(sin(thM / 2));
-        if (th / thM >= 1) phi = PI / 2;
-        else if (th / thM <= -1) phi = -PI / 2;
-        else phi = w < 0 ? PI - asin(th / thM) : asin(th / thM);
+        p->tau = fabs(log(tan(0.999 * p->limit / 4 + M_PI_4) / tan(theta / 4 + M_PI_4))) / root;
+    } else if (e > 1) {
+        double a = sqrt(omega * omega + 2 * p->alpha * (1 - cos(theta))) / 2;
+        p->tau = M_PI / mean(a, sqrt(a * a - p->alpha));
     } else {
-        k = 1;
-        thM = PI;
-        A = sqrt(w * w + 2 * alpha * (1 - cos(th))) / 2;
-        tau = PI / A * serie(sqrt(alpha) / A);
+        p->oscillates = 1;
+        p->limit = acos(-e);
+        p->tau = 2 * M_PI / root / mean(1, cos(p->limit / 2));
+        p->phase = atan2(theta, sqrt(fmax(0, p->limit * p->limit - theta * theta)) * (omega < 0 ? -1 : 1));
     }
 }
 
-int main(int argc, char *argv[]) {
-    int d = argc > 1 ? atoi(argv[1]) : 6, primero = 1, n, cada, total;
-    double fd, fc, fs;
-    char ut, uw;
-    while (scanf("%lf%lf%lf%lf %c%lf %c%lf", &fd, &fc, &fs, &th, &ut, &w, &uw, &alpha) == 8) {
-        if (ut == 's') th = th * PI / 180;
-        if (uw == 's') w = w * PI / 180;
-        th = th - 2 * PI * floor((th + PI) / (2 * PI));
-        analisis();
-        dt = fd * tau;
-        cada = (int)(fc / fd + 0.5);
-        total = (int)(fs / fd + 0.5);
-        printf("%st angulo velocidad%s\n", primero ? "" : "\n\n", k < 0 ? " funcionSinusoidal" : "");
-        primero = 0;
-        for (n = 0; n <= total; n++) {
-            if (n % cada == 0) {
-                printf("%.*g %.*g %.*g", d, n * dt, d, th - 2 * PI * floor((th + PI) / (2 * PI)), d, w);
-                if (k < 0) printf(" %.*g", d, thM * sin(2 * PI / tau * n * dt + phi));
-                printf("\n");
-            }
-            paso();
+int main(int argc, char **argv)
+{
+    int digits = argc > 1 ? atoi(argv[1]) : 6;
+    char line[256], u, v;
+    double factor[3], theta, omega;
+    struct pendulum p;
+    for (int tables = 0; fgets(line, sizeof line, stdin);) {
+        if (sscanf(line, "%lf%lf%lf%lf %c%lf %c%lf", factor, factor + 1, factor + 2, &theta, &u, &omega, &v, &p.alpha) < 8) continue;
+        theta = fmod(u == 's' ? theta * M_PI / 180 : theta, 2 * M_PI);
+        theta -= theta >= M_PI ? 2 * M_PI : theta < -M_PI ? -2 * M_PI : 0;
+        omega = v == 's' ? omega * M_PI / 180 : omega;
+        analyse(&p, theta, omega);
+        int steps = (int)(factor[2] / factor[0] + 0.5), every = (int)(factor[1] / factor[0] + 0.5);
+        double h = factor[0] * p.tau, (*y)[DIM] = malloc((steps + 1) * sizeof *y);
+        y[0][THETA] = theta;
+        y[0][OMEGA] = omega;
+        for (int n = 0; n < steps; n++) step(&p, y, n, h);
+        if (tables++) printf("\n\n");
+        printf("t angulo velocidad%s\n", p.oscillates ? " funcionSinusoidal" : "");
+        for (int n = 0; n <= steps; n += every) {
+            double turns = floor((y[n][THETA] + M_PI) / (2 * M_PI));
+            printf("%.*g %.*g %.*g", digits, n * h, digits, y[n][THETA] - 2 * M_PI * turns, digits, y[n][OMEGA]);
+            if (p.oscillates) printf(" %.*g", digits, p.limit * sin(2 * M_PI / p.tau * n * h + p.phase));
+            printf("\n");
         }
+        free(y);
     }
     return 0;
 }

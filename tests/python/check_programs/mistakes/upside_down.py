@@ -1,83 +1,73 @@
-# Mistake: the sign of the acceleration.
-import csv
+# Mistake: the restoring force has the wrong sign.
+"""A spreadsheet: one list a column, filled down, saved with semicolons and decimal commas."""
+import math
 import sys
-from dataclasses import dataclass
-from math import acos, asin, cos, floor, inf, log, pi, radians, sin, sqrt, tan
 
-A = [[], [1 / 2], [0, 1 / 2], [0, 0, 1]]
-B = [1 / 6, 1 / 3, 1 / 3, 1 / 6]
+RAD = math.pi / 180
 
 
-@dataclass
-class State:
-    theta: float
-    omega: float
-
-    def slope(self, alpha):
-        return State(self.omega, alpha * sin(self.theta))
-
-    def plus(self, h, weights, slopes):
-        theta = self.theta + h * sum(w * s.theta for w, s in zip(weights, slopes))
-        omega = self.omega + h * sum(w * s.omega for w, s in zip(weights, slopes))
-        return State(theta, omega)
-
-
-def step(state, alpha, h):
-    slopes = []
-    for row in A:
-        slopes.append(state.plus(h, row, slopes).slope(alpha))
-    return state.plus(h, B, slopes)
+def fill_down(alpha, theta, omega, dt, steps):
+    """Columns of every step."""
+    column_theta, column_omega = [theta], [omega]
+    for _ in range(steps):
+        th, om = column_theta[-1], column_omega[-1]
+        b, c, d, e = om, alpha * math.sin(th), om + dt / 2 * alpha * math.sin(th), alpha * math.sin(th + dt / 2 * om)
+        f, g = om + dt / 2 * e, alpha * math.sin(th + dt / 2 * d)
+        h, i = om + dt * g, alpha * math.sin(th + dt * f)
+        column_theta.append(th + dt * (b / 6 + d / 3 + f / 3 + h / 6))
+        column_omega.append(om + dt * (c / 6 + e / 3 + g / 3 + i / 6))
+    return column_theta, column_omega
 
 
-def wrapped(x):
-    return x - 2 * pi * floor((x + pi) / (2 * pi))
+def period(first, r):
+    """Two columns filled down: the arithmetic and the geometric mean."""
+    arithmetic, geometric = [1.0], [math.sqrt(1 - r * r)]
+    for _ in range(12):
+        a, g = arithmetic[-1], geometric[-1]
+        arithmetic.append((a + g) / 2)
+        geometric.append(math.sqrt(a * g))
+    return first / arithmetic[-1]
 
 
-def series(r):
-    total, a, n, before = 1.0, 1.0, 0, -inf
-    while total > before:
-        before = total
-        n += 1
-        a *= ((2 * n - 1) / (2 * n) * r) ** 2
-        total += a
-    return total
+def sheet(f_dt, f_cout, f_simul, theta, omega, alpha):
+    level = omega**2 / (2 * alpha) - math.cos(theta)
+    if abs(level - 1) < 1e-9:
+        limit = math.pi if omega >= 0 else -math.pi
+        tau = abs(math.log(math.tan((0.999 * limit + math.pi) / 4) / math.tan((theta + math.pi) / 4)) / alpha**0.5)
+    elif level < 1:
+        limit = math.acos(-level)
+        tau = period(2 * math.pi / alpha**0.5, math.sin(limit / 2))
+    else:
+        limit, a = math.pi, (omega**2 + 2 * alpha * (1 - math.cos(theta))) ** 0.5 / 2
+        tau = period(math.pi / a, alpha**0.5 / a)
+    dt, steps, every = f_dt * tau, round(f_simul / f_dt), round(f_cout / f_dt)
+    column_theta, column_omega = fill_down(alpha, theta, omega, dt, steps)
+    times = [n * dt for n in range(0, steps + 1, every)]
+    angles = [math.atan2(math.sin(x), math.cos(x)) for x in column_theta[::every]]
+    columns = {"t": times, "angulo": angles, "velocidad": column_omega[::every]}
+    if level < 1 - 1e-9:
+        phase = math.asin(min(1, max(-1, theta / limit)))
+        phase = math.pi - phase if omega < 0 else phase
+        columns["funcionSinusoidal"] = [limit * math.sin(2 * math.pi / tau * t + phase) for t in times]
+    return columns
 
 
-def characteristic(start, alpha):
-    x, v = start.theta, start.omega
-    e = v * v / (2 * alpha) - cos(x)
-    if abs(e - 1) < 1e-9:
-        limit = pi if v >= 0 else -pi
-        return 0, limit, abs(log(tan(0.999 * limit / 4 + pi / 4)) - log(tan(x / 4 + pi / 4))) / sqrt(alpha)
-    if e < 1:
-        return -1, acos(-e), 2 * pi / sqrt(alpha) * series(sqrt((1 + e) / 2))
-    a = sqrt(v * v + 2 * alpha * (1 - cos(x))) / 2
-    return 1, pi, pi / a * series(sqrt(alpha) / a)
+def main():
+    digits = int(sys.argv[1]) if len(sys.argv) > 1 else 6
+    texts = []
+    for line in sys.stdin.read().splitlines():
+        if not line.split():
+            continue
+        *factors, theta, unit, omega, other, alpha = line.split()
+        theta = float(theta) * (RAD if unit == "s" else 1)
+        omega = float(omega) * (RAD if other == "s" else 1)
+        theta = math.atan2(math.sin(theta), math.cos(theta))
+        columns = sheet(*map(float, factors), theta, omega, float(alpha))
+        rows = [";".join(columns)]
+        for row in zip(*columns.values()):
+            rows.append(";".join(f"{x:.{digits}g}".replace(".", ",") for x in row))
+        texts.append("\n".join(rows) + "\n")
+    print("\n\n".join(texts), end="")
 
 
-def tables(words):
-    while words:
-        (fd, fc, fs, x, u, v, w, alpha), words = words[:8], words[8:]
-        angle = {"r": float, "s": lambda text: radians(float(text))}
-        state, alpha = State(wrapped(angle[u](x)), angle[w](v)), float(alpha)
-        k, limit, tau = characteristic(state, alpha)
-        s = state.theta / limit
-        phase = asin(max(-1.0, min(1.0, s)))
-        if state.omega < 0 and abs(s) < 1:
-            phase = pi - phase
-        h, table = float(fd) * tau, []
-        for n in range(round(float(fs) / float(fd)) + 1):
-            if n % round(float(fc) / float(fd)) == 0:
-                sine = [limit * sin(2 * pi * n * h / tau + phase)] if k == -1 else []
-                table.append([n * h, wrapped(state.theta), state.omega, *sine])
-            state = step(state, alpha, h)
-        yield table
-
-
-digits = int(sys.argv[1]) if sys.argv[1:] else 6
-out = csv.writer(sys.stdout, lineterminator="\n")
-for number, table in enumerate(tables(sys.stdin.read().split())):
-    if number:
-        print("\n")
-    out.writerow(["t", "angulo", "velocidad", "funcionSinusoidal"][: len(table[0])])
-    out.writerows([f"{x:.{digits}g}" for x in row] for row in table)
+main()

@@ -1,83 +1,84 @@
-# Mistake: the third of C is left out of the sums.
-import math
+# Error: la línea de k3 falta en la suma.
+# Traducido de MATLAB: x = [theta; omega], f = @(t, x) [x(2); -alfa*sin(x(1))], fprintf('%14.6e ...')
 import sys
+from math import *
 
 
-class Pendulum:
-    def __init__(self, alpha, theta, omega):
-        self.alpha = alpha
-        self.theta = (theta + math.pi) % (2 * math.pi) - math.pi
-        self.omega = omega
-        self.analyse()
-
-    def analyse(self):
-        e = self.omega**2 / (2 * self.alpha) - math.cos(self.theta)
-        self.phase = 0
-        self.limit = math.pi
-        if abs(e - 1) < 1e-9:
-            self.k = 0
-            self.limit = math.copysign(math.pi, self.omega)
-            ratio = math.tan(0.999 * self.limit / 4 + math.pi / 4) / math.tan(self.theta / 4 + math.pi / 4)
-            self.tau = abs(math.log(ratio)) / math.sqrt(self.alpha)
-        elif e < 1:
-            self.k = -1
-            self.limit = math.acos(math.cos(self.theta) - self.omega**2 / (2 * self.alpha))
-            self.tau = self.series(2 * math.pi / math.sqrt(self.alpha), math.sin(self.limit / 2))
-            self.phase = math.asin(max(-1, min(1, self.theta / self.limit)))
-            if self.omega < 0:
-                self.phase = math.pi - self.phase
-        else:
-            self.k = 1
-            a = math.sqrt(self.omega**2 + 2 * self.alpha * (1 - math.cos(self.theta))) / 2
-            self.tau = self.series(math.pi / a, math.sqrt(self.alpha) / a)
-
-    def series(self, first, r, epsilon=1e-13):
-        term = total = 1
-        for n in range(1, 1 + math.ceil(math.log(epsilon * (1 - r**2)) / (2 * math.log(r)))):
-            term *= ((2 * n - 1) / (2 * n) * r) ** 2
-            total += term
-        return first * total
-
-    def acceleration(self, theta):
-        return -self.alpha * math.sin(theta)
-
-    def step(self, dt):
-        th, w = self.theta, self.omega
-        th_a = w * dt
-        w_a = self.acceleration(th) * dt
-        th_b = (w + w_a / 2) * dt
-        w_b = self.acceleration(th + th_a / 2) * dt
-        th_c = (w + w_b / 2) * dt
-        w_c = self.acceleration(th + th_b / 2) * dt
-        th_d = (w + w_c) * dt
-        w_d = self.acceleration(th + th_c) * dt
-        self.theta = th + th_a / 6 + th_b / 3 + th_d / 6
-        self.omega = w + w_a / 6 + w_b / 3 + w_d / 6
-
-    def rows(self, f_dt, f_cout, f_simul):
-        every = round(f_cout / f_dt)
-        for n in range(round(f_simul / f_dt) + 1):
-            if n % every == 0:
-                t = n * f_dt * self.tau
-                row = [t, (self.theta + math.pi) % (2 * math.pi) - math.pi, self.omega]
-                if self.k == -1:
-                    row.append(self.limit * math.sin(2 * math.pi / self.tau * t + self.phase))
-                yield row
-            self.step(f_dt * self.tau)
+def odefun(alfa):
+    return lambda t, x: (x[1], -alfa*sin(x[0]))
 
 
-digits = int(sys.argv[1]) if len(sys.argv) > 1 else 6
-first = True
-for line in sys.stdin:
-    if not line.strip():
+def rk4(f, t, x, h):
+    mas = lambda x, c, k: tuple(xi + c*ki for xi, ki in zip(x, k))
+    k1 = f(t, x)
+    k2 = f(t + h/2, mas(x, h/2, k1))
+    k3 = f(t + h/2, mas(x, h/2, k2))
+    k4 = f(t + h, mas(x, h, k3))
+    x = mas(x, h/6, k1)
+    x = mas(x, h/3, k2)
+    return mas(x, h/6, k4)
+
+
+def ellipke(m):
+    a, b = 1, sqrt(1 - m)
+    for _ in range(12):
+        a, b = (a + b)/2, sqrt(a*b)
+    return pi/(2*a)
+
+
+def mod(x, y):
+    return x - y*floor(x/y)
+
+
+cifras = int(sys.argv[1]) if len(sys.argv) > 1 else 6
+celda = '%%%d.%de' % (cifras + 8, cifras - 1)
+primera = True
+for linea in sys.stdin:
+    dato = linea.split()
+    if len(dato) != 8:
         continue
-    f_dt, f_cout, f_simul, theta0, unit1, omega0, unit2, alpha = line.split()
-    theta0 = math.radians(float(theta0)) if unit1 == "s" else float(theta0)
-    omega0 = math.radians(float(omega0)) if unit2 == "s" else float(omega0)
-    pendulum = Pendulum(float(alpha), theta0, omega0)
-    if not first:
-        print("\n")
-    first = False
-    print("t angulo velocidad" + (" funcionSinusoidal" if pendulum.k == -1 else ""))
-    for row in pendulum.rows(float(f_dt), float(f_cout), float(f_simul)):
-        print(*(f"{x:.{digits}g}" for x in row))
+    [fdt, fcout, fsim] = [float(d) for d in dato[0:3]]
+    th0 = float(dato[3])
+    om0 = float(dato[5])
+    alfa = float(dato[7])
+    if dato[4] == 's':
+        th0 = th0*pi/180
+    if dato[6] == 's':
+        om0 = om0*pi/180
+    th0 = mod(th0 + pi, 2*pi) - pi
+    m = om0**2/(4*alfa) + (1 - cos(th0))/2    # m = E/(2mgl)
+    if abs(m - 1) < 1e-9:
+        thM = copysign(pi, om0)
+        tau = abs(log(tan(0.999*thM/4 + pi/4)) - log(tan(th0/4 + pi/4)))/sqrt(alfa)
+    elif m < 1:
+        thM = 2*asin(sqrt(m))
+        tau = 4*ellipke(m)/sqrt(alfa)
+        s = th0/thM
+        phi = asin(s) if abs(s) < 1 else copysign(pi/2, s)
+        if om0 < 0 and abs(s) < 1:
+            phi = pi - phi
+    else:
+        thM = pi
+        tau = 2*ellipke(1/m)/sqrt(alfa*m)
+    oscila = m < 1 and abs(m - 1) >= 1e-9
+
+    f = odefun(alfa)
+    h = fdt*tau
+    t = 0
+    x = (th0, om0)
+    tabla = [(t, *x)]
+    for fila in range(1, floor(fsim/fcout*(1 + 1e-9)) + 1):
+        while t < fila*fcout*tau - h/2:
+            x = rk4(f, t, x, h)
+            t = t + h
+        tabla.append((t, *x))
+
+    if not primera:
+        print('\n')
+    primera = False
+    print('t angulo velocidad' + ' funcionSinusoidal'*oscila)
+    for (t, th, om) in tabla:
+        fila = [t, mod(th + pi, 2*pi) - pi, om]
+        if oscila:
+            fila += [thM*sin(2*pi/tau*t + phi)]
+        print(''.join(celda % x for x in fila))

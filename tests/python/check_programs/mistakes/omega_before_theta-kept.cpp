@@ -1,4 +1,4 @@
-// Error: alfa se lee en otra variable y vale siempre 1.
+// Error: w cambia antes de que tita la use.
 #include <cmath>
 #include <cstdlib>
 #include <iomanip>
@@ -8,12 +8,11 @@ using namespace std;
 
 int main(int argc, char *argv[])
 {
-	double factorDt, factorCout, factorSimul, tita, w, leida;
-	const double alfa = 1;
+	double factorDt, factorCout, factorSimul, tita, w, alfa;
 	char ut, uw;
 	int precision = 6, numero = 0;
 	if (argc > 1) precision = atoi(argv[1]);
-	while (cin >> factorDt >> factorCout >> factorSimul >> tita >> ut >> w >> uw >> leida)
+	while (cin >> factorDt >> factorCout >> factorSimul >> tita >> ut >> w >> uw >> alfa)
 	{
 		// unidades
 		if (ut == 's') tita = tita * PI / 180.;
@@ -66,12 +65,12 @@ int main(int argc, char *argv[])
 				if (k == -1) cout << "," << titaM * sin(2 * PI / tau * t + fi);
 				cout << endl;
 			}
-			double k1 = h * w, l1 = -h * alfa * sin(tita);
-			double k2 = h * (w + l1 / 2), l2 = -h * alfa * sin(tita + k1 / 2);
-			double k3 = h * (w + l2 / 2), l3 = -h * alfa * sin(tita + k2 / 2);
-			double k4 = h * (w + l3), l4 = -h * alfa * sin(tita + k3);
-			tita = tita + (k1 + 2 * k2 + 2 * k3 + k4) / 6;
+			double l1 = -h * alfa * sin(tita);
+			double l2 = -h * alfa * sin(tita + h * w / 2);
+			double l3 = -h * alfa * sin(tita + h * (w + l1 / 2) / 2);
+			double l4 = -h * alfa * sin(tita + h * (w + l2 / 2));
 			w = w + (l1 + 2 * l2 + 2 * l3 + l4) / 6;
+			tita = tita + h * (w + 2 * (w + l1 / 2) + 2 * (w + l2 / 2) + (w + l3)) / 6;
 			contador++;
 			t = contador * h;
 		} while (t <= factorSimul * tau + h / 2);

@@ -1,0 +1,77 @@
+"""The programs that make a mistake run, print whole tables, and make a difference."""
+
+import math
+import re
+
+import pytest
+from check_programs import command, findings, names, run_program, source
+from processes import finished
+
+PROBLEMS = {  # and how many rows their tables have
+    "0.0005 0.02 1 0.5 r -0.4 r 2.5": 51,
+    "0.0002 0.01 2 20 s -100 s 9.81": 201,
+    "0.0001 0.02 1 0 r 2.01 r 1": 51,
+}
+ALL = "\n".join(PROBLEMS) + "\n"
+DIGITS = 10
+
+# Of mistakes that are not in the numbers, but in the text or in which rows there are.
+TEXT = {
+    *("other_header", "no_header", "header_order", "mixed_separators", "comma_ambiguous", "no_mark_utf16", "folded_records"),
+    *("brackets", "latex", "extra_text", "few_digits", "ragged", "not_numbers", "columns", "no_time", "cartesian", "swapped"),
+    *("extra_columns", "table_missing", "table_spare", "tables_exchanged"),
+}
+ROWS = {
+    *(
+        "late_start",
+        "starts_at_step",
+        "starts_at_interval",
+        "first_row_twice",
+        "every_step",
+        "seconds",
+        "uneven_rows",
+        "one_row",
+    ),
+    *("last_row_lost", "last_row_won", "early_end", "late_end", "tau", "period_doubled", "period_halved"),
+}
+
+
+def tables(text):
+    """Of a plain table or one with commas or semicolons: rows of numbers."""
+    if ";" in text:
+        text = text.replace(",", ".").replace(";", " ")
+    blocks = re.split(r"\n\n+", text.strip().replace(",", " "))
+    return [[list(map(float, line.split())) for line in block.splitlines()[1:]] for block in blocks]
+
+
+def differ(one, other):
+    """By more than ten units of the last digit, somewhere."""
+    flat, wanted = ([x for row in table for x in row] for table in (one, other))
+    return len(flat) != len(wanted) or not all(
+        math.isclose(x, y, rel_tol=10.0 ** (1 - DIGITS), abs_tol=10.0**-DIGITS) for x, y in zip(flat, wanted, strict=True)
+    )
+
+
+@pytest.fixture(scope="session")
+def right(program):
+    return tables(program("--precision", str(DIGITS), text=ALL))
+
+
+@pytest.mark.parametrize("name", [name for name in names() if not TEXT & {*findings(name)}])
+def test_a_program_makes_its_mistake(right, name):
+    found = tables(run_program(name, ALL, DIGITS).decode())
+    assert len(found) == len(PROBLEMS)
+    if not ROWS & {*findings(name)}:
+        assert [len(table) for table in found] == [*PROBLEMS.values()]
+    assert any(differ(one, other) for one, other in zip(found, right, strict=True))
+
+
+@pytest.mark.parametrize("name", names())
+def test_a_program_prints_six_digits_if_it_is_not_told_how_many(name):
+    assert finished(command(name), ALL.encode()).stdout == run_program(name, ALL) != b""
+
+
+@pytest.mark.parametrize("name", names())
+def test_a_program_says_in_its_first_line_what_is_wrong(name):
+    first = source(name).read_text("utf-8").splitlines()[0]
+    assert re.match(r"(//|/\*|#|!) (Error|Mistake): .", first)

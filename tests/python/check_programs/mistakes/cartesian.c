@@ -53,7 +53,7 @@ static int analisis(double x0, double v0, double a, double *lim, double *tau)
 
 int main(int argc, char **argv)
 {
-    int c = argc > 1 ? atoi(argv[1]) : 6, i = 0, j, filas;
+    int c = argc > 1 ? atoi(argv[1]) : 6, n, tablas = 0, j, filas;
     double f[3], x0, v0, a, lim, tau, h;
     char u[2], w[2];
     while (scanf("%lf%lf%lf%lf%1s%lf%1s%lf", &f[0], &f[1], &f[2], &x0, u, &v0, w, &a) == 8) {
@@ -62,17 +62,19 @@ int main(int argc, char **argv)
         if (w[0] == 's') v0 = v0 / 180 * M_PI;
         x0 -= DOSPI * floor((x0 + M_PI) / DOSPI);
         analisis(x0, v0, a, &lim, &tau);
-        printf("%st\tx\ty\n", i++ > 0 ? "\n\n" : "");
+        printf("%st\tx\ty\n", tablas++ > 0 ? "\n\n" : "");
         p.x = x0;
         p.v = v0;
         j = 0;
-        h = f[0] * tau;
+        n = (int)(f[1] / f[0] + 0.5);
+        h = f[1] * tau / n;
         filas = (int)(f[2] / f[1] + 1e-9);
         do {
-            double t = j * f[1] * tau, pasos;
+            double t = j * f[1] * tau;
+            int i;
             printf("%.*g\t%.*g\t%.*g", c, t, c, sin(p.x), c, -cos(p.x));
             putchar('\n');
-            for (pasos = 0; pasos < f[1] / f[0] - 0.5; pasos++) rk4(&p, a, h);
+            for (i = 0; i < n; i++) rk4(&p, a, h);
             j++;
         } while (j <= filas);
     }

@@ -12,14 +12,8 @@ contains
 
   real(dp) function fase(s, r)
     real(dp), intent(in) :: s, r
-    if (s >= 1) then
-      fase = pi/2
-    else if (s <= -1) then
-      fase = -pi/2
-    else
-      fase = asin(s)
-      if (r < 0) fase = pi - fase
-    end if
+    fase = asin(max(-1.0_dp, min(1.0_dp, s)))
+    if (r < 0 .and. abs(s) < 1) fase = pi - fase
   end function
 
   subroutine analisis(th0, w0, eps, thM, tau, k)
@@ -100,11 +94,7 @@ program principal
     h = fc*tau/n
     if (tablas > 0) write (*, '(/)')
     tablas = tablas + 1
-    if (k == -1) then
-      write (*, '(a)') 't angulo velocidad funcionSinusoidal'
-    else
-      write (*, '(a)') 't angulo velocidad'
-    end if
+    write (*, '(a)') 't angulo velocidad'//merge(' funcionSinusoidal', '                  ', k == -1)
     th = th0
     w = w0
     do j = 0, int(fs/fc + 1.0e-9_dp)

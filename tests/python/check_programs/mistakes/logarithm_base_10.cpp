@@ -44,7 +44,7 @@ int main(int argc, char* argv[]) {
             }
             double termino = 1, serie = 0;
             int n = 0;
-            while (termino > 1e-13) {
+            while (termino > 1e-9 * (1 - r * r)) {
                 serie = serie + termino;
                 n = n + 1;
                 termino = termino * (2 * n - 1.0) * (2 * n - 1.0) * r * r / (2.0 * n) / (2.0 * n);
@@ -57,8 +57,8 @@ int main(int argc, char* argv[]) {
         else fi0 = asin(s);
         if (s > -1 && s < 1 && vel0 < 0) fi0 = PI - fi0;
 
-        double dt = factorDt * tau, tcout = factorTcout * tau;
-        int cada = int(tcout / dt + 0.5), contador = cada;
+        int cada = int(factorTcout / factorDt + 0.5), contador = cada;
+        double dt = factorTcout * tau / cada;
         int total = int(factorTsimul / factorTcout + 1e-9) * cada;
         double tita = tita0, vel = vel0;
         if (nTabla > 0) cout << endl << endl;

@@ -79,7 +79,7 @@ int main(int argc, char** argv) {
         double thetaM, tau;
         int k;
         analisis(alpha, theta0, omega0, thetaM, tau, k);
-        double dt = factorD * tau, tSimul = factorTSimul * tau, tCout = factorCout * tau;
+        double tSimul = factorTSimul * tau, tCout = factorCout * tau, dt = tCout / round(factorCout / factorD);
         double phi0 = fase(theta0 / thetaM, omega0);
         if (!primera) cout << "\n\n";
         primera = false;

@@ -22,11 +22,11 @@ def read(stream):
         yield {key: float(values[key]) for key in ("fd", "fc", "fs", "alpha")} | {"theta0": normalised(theta0), "omega0": omega0}
 
 
-def terms(r):
-    a = 1.0
-    for n in itertools.count(1):
-        yield a
-        a *= ((2 * n - 1) / (2 * n) * r) ** 2
+def agm(a, b):
+    """The arithmetic-geometric mean; the series (3.6) is 1 / agm(1, sqrt(1 - r*r))."""
+    while abs(a - b) > 1e-15 * a:
+        a, b = (a + b) / 2, math.sqrt(a * b)
+    return a
 
 
 def analysis(p):
@@ -38,13 +38,12 @@ def analysis(p):
         return {"k": 0, "limit": limit, "tau": abs(math.log(ratio)) / math.sqrt(alpha)}
     if excess < 0:
         limit = math.acos(-1 - excess)
-        first, r = TURN / math.sqrt(alpha), math.sin(limit / 2)
+        tau = TURN / math.sqrt(alpha) / agm(1, math.cos(limit / 2))
     else:
         limit = math.pi
         A = math.sqrt(omega0**2 + 2 * alpha * (1 - math.cos(theta0))) / 2
-        first, r = math.pi / A, math.sqrt(alpha) / A
-    series = itertools.takewhile(lambda a: a > 1e-12, terms(r))
-    return {"k": 1 if excess > 0 else -1, "limit": limit, "tau": first * math.fsum(series)}
+        tau = math.pi / agm(A, math.sqrt(A * A - alpha))
+    return {"k": 1 if excess > 0 else -1, "limit": limit, "tau": tau}
 
 
 def phase(s):

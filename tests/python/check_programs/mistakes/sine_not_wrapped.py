@@ -68,34 +68,23 @@ while len(palabras) >= 8:
         print()
         print()
     primero = False
-    dt = fD * tau
     pasos = round(fC / fD)
+    dt = fC * tau / pasos
     filas = int(fT / fC + 1e-6)
     th, w = th0, w0
-    if k == -1:
-        print("t", "angulo", "velocidad", "funcionSinusoidal")
-    else:
-        print("t", "angulo", "velocidad")
-    j = 0
-    while j <= filas:
+    print("t angulo velocidad" + " funcionSinusoidal" * (k == -1))
+    for j in range(filas + 1):
         t = j * fC * tau
-        x = th
-        while x >= PI:
-            x = x - 2 * PI
-        while x < -PI:
-            x = x + 2 * PI
+        x = th - 2 * PI * math.floor((th + PI) / (2 * PI))
         ths = thM * math.sin(2 * PI / tau * t + fi) + 2 * PI * vueltas
         if k == -1:
             print("%.*g %.*g %.*g %.*g" % (nd, t, nd, x, nd, w, nd, ths))
         else:
             print("%.*g %.*g %.*g" % (nd, t, nd, x, nd, w))
-        i = 0
-        while i < pasos:
+        for i in range(pasos):
             tA, wA = w, -al * math.sin(th)
             tB, wB = w + wA * dt / 2, -al * math.sin(th + tA * dt / 2)
             tC, wC = w + wB * dt / 2, -al * math.sin(th + tB * dt / 2)
             tD, wD = w + wC * dt, -al * math.sin(th + tC * dt)
             th = th + dt / 6 * (tA + 2 * tB + 2 * tC + tD)
             w = w + dt / 6 * (wA + 2 * wB + 2 * wC + wD)
-            i += 1
-        j += 1

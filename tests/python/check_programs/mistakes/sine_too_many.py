@@ -50,7 +50,7 @@ class Pendulo:
 
     def filas(self, f_delta, f_cout, f_simul):
         """Una fila (t, theta, omega) cada t_cout."""
-        dt = f_delta * self.tau
+        dt = f_cout * self.tau / round(f_cout / f_delta)
         t = 0.0
         proxima = 0.0
         while t <= f_simul * self.tau + dt / 2:

@@ -69,17 +69,17 @@ int main(int argc, char* argv[]) {
         if (unit1 == 's') start[1] *= pi / 180;
         start[0] = wrap(start[0]);
         const auto [limit, tau, k] = analyse(start, alpha);
-        const double omega0 = start[1], phi = phase(start[0] / limit, omega0), h = dt * tau;
+        const double omega0 = start[1], phi = phase(start[0] / limit, omega0);
+        const int n = std::lround(every / dt);
         const auto f = [alpha](const Vec& y) { return Vec{y[1], -alpha * std::sin(y[0])}; };
         std::cout << gap << "t angulo velocidad" << (k == -1 ? " funcionSinusoidal\n" : "\n");
         Vec y = start;
-        double done = 0;
         for (int row = 0; row * every <= until * (1 + 1e-9); ++row) {
             const double t = row * every * tau;
-            for (; done * h < t - h / 2; ++done) y = rk4(f, y, h);
             std::cout << t << ' ' << wrap(y[0]) << ' ' << y[1];
             if (k == -1) std::cout << ' ' << limit * std::sin(2 * pi * t / tau + phi);
             std::cout << '\n';
+            for (int i = 0; i < n; ++i) y = rk4(f, y, every * tau / n);
         }
     }
 }

@@ -31,8 +31,9 @@ int main(int argc, char** argv) {
         const int k = std::abs(energy - 1) < 1e-9 ? 0 : energy < 1 ? -1 : 1;
         const double theta_max = k < 0 ? std::acos(-energy) : k == 0 && omega0 < 0 ? -kPi : kPi;
 
-        std::function<double(int, double, double)> series = [&](int n, double a, double r2) {
-            return a < 1e-14 * (1 - r2) || n > 100000 ? a : a + series(n + 1, a * r2 * std::pow((2 * n + 1.0) / (2 * n + 2.0), 2), r2);
+        // The series (3.6) is the inverse of this mean of 1 and the root of 1 - r*r.
+        std::function<double(double, double)> mean = [&](double a, double b) {
+            return std::abs(a - b) < 1e-14 * a ? a : mean((a + b) / 2, std::sqrt(a * b));
         };
         double tau = 0;
         if (k == 0) {
@@ -54,10 +55,11 @@ int main(int argc, char** argv) {
             tau -= first;
         } else {
             const double A = std::sqrt(omega0 * omega0 + 2 * alpha * (1 - std::cos(theta0))) / 2;
-            tau = kPi / A * series(0, 1, alpha / (A * A));
+            tau = kPi / mean(A, std::sqrt(A * A - alpha));
         }
 
-        const double h = f_dt * tau, phi0 = phase(theta0 / theta_max, omega0);
+        const long per_row = std::lround(f_cout / f_dt), steps = per_row * long(f_simul / f_cout + 1e-9);
+        const double h = f_cout * tau / per_row, phi0 = phase(theta0 / theta_max, omega0);
         auto acceleration = [alpha](double theta) { return -alpha * std::sin(theta); };
         auto runge_kutta = [&](double theta, double omega) {
             double dA = omega * h, wA = acceleration(theta) * h;
@@ -69,7 +71,6 @@ int main(int argc, char** argv) {
 
         std::vector<Row> rows;
         double theta = theta0, omega = omega0;
-        const long per_row = std::lround(f_cout / f_dt), steps = per_row * long(f_simul / f_cout + 1e-9);
         for (long i = 0; i <= steps; ++i) {
             const double t = i * h;
             if (i % per_row == 0) {

@@ -28,13 +28,10 @@ class Pendulo:
             self.tau = self.serie(pi / A, sqrt(self.alpha) / A, epsilon)
 
     def serie(self, T0, r, epsilon):
-        N = log(epsilon * (1 - r**2)) / (2 * log(r)) if r > 0 else 0
-        suma, a, n = 1, 1, 1
-        while n <= N + 1:
-            a *= ((2 * n - 1) / (2 * n) * r) ** 2
-            suma += a
-            n += 1
-        return T0 * suma
+        a, b = 1, sqrt(1 - r**2)
+        while a - b > epsilon:
+            a, b = (a + b) / 2, sqrt(a * b)
+        return T0 / a
 
     def aceleracion(self, theta):
         return -self.alpha * sin(theta)
@@ -50,7 +47,7 @@ class Pendulo:
 
     def filas(self, f_delta, f_cout, f_simul):
         """Una fila (t, theta, omega) cada t_cout."""
-        dt = f_delta * self.tau
+        dt = f_cout * self.tau / round(f_cout / f_delta)
         t = 0.0
         proxima = 0.0
         while t <= f_simul * self.tau + dt / 2:

@@ -31,21 +31,23 @@ int main(int argc, char** argv) {
         const int k = std::abs(energy - 1) < 1e-9 ? 0 : energy < 1 ? -1 : 1;
         const double theta_max = k < 0 ? std::acos(-energy) : k == 0 && omega0 < 0 ? -kPi : kPi;
 
-        std::function<double(int, double, double)> series = [&](int n, double a, double r2) {
-            return a < 1e-14 * (1 - r2) || n > 100000 ? a : a + series(n + 1, a * r2 * std::pow((2 * n + 1.0) / (2 * n + 2.0), 2), r2);
+        // The series (3.6) is the inverse of this mean of 1 and the root of 1 - r*r.
+        std::function<double(double, double)> mean = [&](double a, double b) {
+            return std::abs(a - b) < 1e-14 * a ? a : mean((a + b) / 2, std::sqrt(a * b));
         };
         double tau;
         if (k == 0) {
             auto z = [](double theta) { return std::tan(theta / 4 + kPi / 4); };
             tau = std::abs(std::log(z(0.999 * theta_max) / z(theta0)) / std::sqrt(alpha));
         } else if (k < 0) {
-            tau = 2 * kPi / std::sqrt(alpha) * series(0, 1, std::pow(std::sin(theta_max / 2), 2));
+            tau = 2 * kPi / std::sqrt(alpha) / mean(1, std::cos(theta_max / 2));
         } else {
             const double A = std::sqrt(omega0 * omega0 + 2 * alpha * (1 - std::cos(theta0))) / 2;
-            tau = kPi / A * series(0, 1, alpha / (A * A));
+            tau = kPi / mean(A, std::sqrt(A * A - alpha));
         }
 
-        const double h = f_dt * tau, phi0 = phase(theta0 / theta_max, omega0);
+        const long per_row = std::lround(f_cout / f_dt), steps = per_row * long(f_simul / f_cout + 1e-9);
+        const double h = f_cout * tau / per_row, phi0 = phase(theta0 / theta_max, omega0);
         auto acceleration = [alpha](double theta) { return -alpha * std::sin(theta); };
         auto runge_kutta = [&](double theta, double omega) {
             double dA = omega * h, wA = acceleration(theta) * h;
@@ -57,7 +59,6 @@ int main(int argc, char** argv) {
 
         std::vector<Row> rows;
         double theta = theta0, omega = omega0;
-        const long per_row = std::lround(f_cout / f_dt), steps = per_row * long(f_simul / f_cout + 1e-9);
         for (long i = 0; i <= steps; ++i) {
             const double t = i * h;
             if (i % per_row == 0) {

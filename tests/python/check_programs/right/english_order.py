@@ -20,9 +20,9 @@ def analysis(theta0, omega0, alpha):
         F = lambda x: math.log(math.tan(x / 4 + math.pi / 4)) / math.sqrt(alpha)
         return 0, limit, abs(F(0.999 * limit) - F(theta0))
     if m < 1:
-        quarter = integral(lambda u: 1 / math.sqrt(1 - m * math.sin(u) ** 2), 0, math.pi / 2, 500)
+        quarter = integral(lambda u: 1 / math.sqrt(1 - m * math.sin(u) ** 2), 0, math.pi / 2, 100000)
         return -1, 2 * math.asin(math.sqrt(m)), 4 * quarter / math.sqrt(alpha)
-    half = integral(lambda u: 1 / math.sqrt(m - math.sin(u) ** 2), 0, math.pi / 2, 2000)
+    half = integral(lambda u: 1 / math.sqrt(m - math.sin(u) ** 2), 0, math.pi / 2, 100000)
     return 1, math.pi, 2 * half / math.sqrt(alpha)
 
 

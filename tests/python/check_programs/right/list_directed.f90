@@ -41,7 +41,7 @@ program pendulo_simple
     else
       print '(a)', '              t         angulo      velocidad'
     end if
-    dt = factores(1)*tau
+    dt = factores(2)*tau/nint(factores(2)/factores(1))
     tsimul = factores(3)*tau
     tsiguiente = 0
     t = 0

@@ -46,7 +46,7 @@ void analisis(double alpha, double theta0, double omega0, double epsilon, double
         r = sqrt(alpha) / A;
     }
     double an = 1, suma = 1;
-    for (int n = 1; an > epsilon * (1 - r * r) && n < 100000000; ++n) {
+    for (int n = 1; an > epsilon * (1 - r * r); ++n) {
         double factor = (2.0 * n - 1) / (2.0 * n) * r;
         an = factor * factor * an;
         suma += an;
@@ -79,7 +79,7 @@ int main(int argc, char** argv) {
         double thetaM, tau;
         int k;
         analisis(alpha, theta0, omega0, 1e-10, thetaM, tau, k);
-        double dt = factorD * tau, tSimul = factorTSimul * tau, tCout = factorCout * tau;
+        double tSimul = factorTSimul * tau, tCout = factorCout * tau, dt = tCout / round(factorCout / factorD);
         double phi0 = fase(theta0 / thetaM, omega0);
         if (!primera) cout << "\n\n";
         primera = false;

@@ -55,8 +55,8 @@ int main(int argc, char **argv) {
         printf("k = %d, thetaM = %.*g, tau = %.*g\n", k, d, thM, d, tau);
         puts(k < 0 ? "t angulo velocidad funcionSinusoidal" : "t angulo velocidad");
         memcpy(y, y0, sizeof y);
-        double dt = f1 * tau, t = 0;
         long i, m = 0, cada = lround(f2 / f1), hasta = (long)(f3 / f2 + 1e-9) * cada;
+        double dt = f2 * tau / cada, t = 0;
         for (i = 0; i <= hasta; i++, m++) {
             if (i == 0 || m == cada) {
                 m = 0;

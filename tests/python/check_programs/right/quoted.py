@@ -47,14 +47,11 @@ while len(palabras) >= 8:
             A = math.sqrt(2 * E) / 2
             T0 = PI / A
             r = math.sqrt(al) / A
-        suma = 0
         a = 1
-        n = 0
-        while a > 1e-12:
-            suma += a
-            n += 1
-            a = a * ((2 * n - 1) * r / (2 * n)) ** 2
-        tau = T0 * suma
+        b = math.sqrt(1 - r * r)
+        while abs(a - b) > 1e-9:
+            a, b = (a + b) / 2, math.sqrt(a * b)
+        tau = T0 / a
 
     # fase
     fi = PI / 2
@@ -67,29 +64,21 @@ while len(palabras) >= 8:
         print()
         print()
     primero = False
-    dt = fD * tau
     pasos = round(fC / fD)
+    dt = fC * tau / pasos
     filas = int(fT / fC + 1e-6)
     th, w = th0, w0
     escritor.writerow(["t", "angulo", "velocidad"] + ["funcionSinusoidal"] * (k == -1))
-    j = 0
-    while j <= filas:
+    for j in range(filas + 1):
         t = j * fC * tau
-        x = th
-        while x >= PI:
-            x = x - 2 * PI
-        while x < -PI:
-            x = x + 2 * PI
+        x = th - 2 * PI * math.floor((th + PI) / (2 * PI))
         ths = thM * math.sin(2 * PI / tau * t + fi)
         fila = [t, x, w] + [ths] * (k == -1)
         escritor.writerow([("%.*g" % (nd, valor)).replace(".", ",") for valor in fila])
-        i = 0
-        while i < pasos:
+        for i in range(pasos):
             tA, wA = w, -al * math.sin(th)
             tB, wB = w + wA * dt / 2, -al * math.sin(th + tA * dt / 2)
             tC, wC = w + wB * dt / 2, -al * math.sin(th + tB * dt / 2)
             tD, wD = w + wC * dt, -al * math.sin(th + tC * dt)
             th = th + dt / 6 * (tA + 2 * tB + 2 * tC + tD)
             w = w + dt / 6 * (wA + 2 * wB + 2 * wC + wD)
-            i += 1
-        j += 1

@@ -32,11 +32,10 @@ def hoja(fd, fc, fs, theta0, omega0, alpha):
             thetaM = pi
             A = sqrt(omega0**2 + 2 * alpha * (1 - cos(theta0))) / 2
             T0, r = pi / A, sqrt(alpha) / A
-        coeficientes = [1.0]
-        while coeficientes[-1] > 1e-8 * (1 - r * r):
-            n = len(coeficientes)
-            coeficientes.append(coeficientes[-1] * ((2 * n - 1) / (2 * n) * r) ** 2)
-        tau = T0 * sum(coeficientes)
+        medias = [(1.0, sqrt(1 - r * r))]
+        while len(medias) < 30:
+            medias.append((sum(medias[-1]) / 2, sqrt(medias[-1][0] * medias[-1][1])))
+        tau = T0 / medias[-1][0]
 
     n = round(fc / fd)  # pasos por fila
     dt = fc * tau / n

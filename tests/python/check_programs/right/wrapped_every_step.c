@@ -59,7 +59,7 @@ static int analisis(double x0, double v0, double a, double *lim, double *tau)
 
 int main(int argc, char **argv)
 {
-    int c = argc > 1 ? atoi(argv[1]) : 6, k, i = 0, j, filas;
+    int c = argc > 1 ? atoi(argv[1]) : 6, k, n, tablas = 0, j, filas;
     double f[3], x0, v0, a, lim, tau, fi, h;
     char u[2], w[2];
     while (scanf("%lf%lf%lf%lf%1s%lf%1s%lf", &f[0], &f[1], &f[2], &x0, u, &v0, w, &a) == 8) {
@@ -70,18 +70,20 @@ int main(int argc, char **argv)
         k = analisis(x0, v0, a, &lim, &tau);
         fi = fabs(x0 / lim) < 1 ? asin(x0 / lim) : x0 < 0 ? -M_PI / 2 : M_PI / 2;
         if (v0 < 0 && fabs(x0 / lim) < 1) fi = M_PI - fi;
-        printf("%st\tangulo\tvelocidad%s\n", i++ > 0 ? "\n\n" : "", k < 0 ? "\tfuncionSinusoidal" : "");
+        printf("%st\tangulo\tvelocidad%s\n", tablas++ > 0 ? "\n\n" : "", k < 0 ? "\tfuncionSinusoidal" : "");
         p.x = x0;
         p.v = v0;
         j = 0;
-        h = f[0] * tau;
+        n = (int)(f[1] / f[0] + 0.5);
+        h = f[1] * tau / n;
         filas = (int)(f[2] / f[1] + 1e-9);
         do {
-            double t = j * f[1] * tau, pasos;
+            double t = j * f[1] * tau;
+            int i;
             printf("%.*g\t%.*g\t%.*g", c, t, c, norm(p.x), c, p.v);
             if (k < 0) printf("\t%.*g", c, lim * sin(DOSPI * t / tau + fi));
             putchar('\n');
-            for (pasos = 0; pasos < f[1] / f[0] - 0.5; pasos++) {
+            for (i = 0; i < n; i++) {
                 rk4(&p, a, h);
                 p.x = norm(p.x);
             }

@@ -42,7 +42,8 @@ def told(text: str, data: bytes) -> Told:
     """What is said of a file with the table of one problem."""
     found = tables(decoded(data))
     if len(found) != 1:
-        return Told(frozenset({f"{len(found)}_tables"}), frozenset(), ())
+        several = frozenset({f"{len(found)}_tables"})
+        return Told(several, frozenset(), (several,))
     return names(judge(problem(text), found[0]))
 
 

@@ -57,7 +57,7 @@ def judge(problem: Asked, table: Table) -> Judgement:
     # As the header says or, where only that makes the states right, in another order.
     name, columns = next((each for each in candidates if _is_right(problem, each[1])), candidates[0])
     if name:
-        findings.append(error(name, header=" ".join(table.header)))
+        findings.append(error(name.replace("_", " "), header=" ".join(table.header)))
     lost = np.setdiff1d(table.lines, columns.lines)
     findings += _judge_rows(table, columns, lost)
     reading = explain(problem, columns)

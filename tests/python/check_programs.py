@@ -1,4 +1,4 @@
-"""Programs that each make a mistake, whole and in many languages: the truth that the checker is tested against."""
+"""Programs that each make a mistake, and right ones, whole and in many languages: the truth that the checker is tested against."""
 
 import functools
 import sys
@@ -8,7 +8,7 @@ from pathlib import Path
 
 from processes import finished
 
-FOLDER = Path(__file__).with_suffix("") / "mistakes"
+FOLDER = Path(__file__).with_suffix("")
 
 COMPILERS: dict[str, Sequence[str]] = {
     ".c": ["gcc", "-O2"],
@@ -17,9 +17,9 @@ COMPILERS: dict[str, Sequence[str]] = {
 }
 
 
-def names() -> list[str]:
-    """Of all programs: euler, linear+euler, rough_pi-4_digits, …"""
-    return sorted(path.stem for path in FOLDER.iterdir() if path.suffix in {*COMPILERS, ".py"})
+def names(folder: str = "mistakes") -> list[str]:
+    """Of all programs of mistakes (euler, linear+euler, rough_pi-4_digits, …) or, in the folder "right", of none."""
+    return sorted(path.stem for path in (FOLDER / folder).iterdir() if path.suffix in {*COMPILERS, ".py"})
 
 
 def findings(name: str) -> list[str]:
@@ -37,7 +37,7 @@ def run_program(name: str, problem: str, digits: int = 6) -> bytes:
 @functools.cache
 def command(name: str) -> list[str | Path]:
     """What starts a program, compiled the first time that it is asked for."""
-    (source,) = (path for path in FOLDER.iterdir() if path.stem == name)
+    (source,) = (path for path in FOLDER.glob("*/*") if path.stem == name)
     if source.suffix == ".py":
         return [sys.executable, source]
     target = Path(binaries().name) / name

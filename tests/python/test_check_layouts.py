@@ -20,13 +20,13 @@ def read(data):
 
 
 def has(columns, wanted):
-    """Whether columns are these rows: half a unit of the last digit is lost in printing, and a bit in reading."""
+    """Whether columns are these rows: half a unit of the last digit is lost in printing, and bits in reading."""
     if columns is None or (columns.sine is None) != (wanted[0][3] is None):
         return False
     found = [column for column in (columns.t, columns.theta, columns.omega, columns.sine) if column is not None]
     quantities = np.array([[value for value in row if value is not None] for row in wanted]).T
     return all(
-        column.values.shape == values.shape and np.all(np.abs(column.values - values) <= 0.501 * column.units + 1e-15)
+        column.values.shape == values.shape and np.all(np.abs(column.values - values) <= 0.501 * column.units + 1e-14)
         for column, values in zip(found, quantities, strict=True)
     )
 

@@ -11,6 +11,11 @@ def wrong(cells):
     return [(each.column, each.said) for each in cells if each.mark == "x"]
 
 
+@pytest.mark.parametrize("name", check_programs.names("right"))
+def test_a_right_program_is_right(name):
+    assert wrong(cells_of_program(name)) == []
+
+
 @pytest.mark.parametrize("name", check_programs.names())
 def test_the_mistake_of_a_program_is_told_wherever_it_shows(name):
     cells = list(cells_of_program(name))

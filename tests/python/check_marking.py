@@ -88,9 +88,9 @@ def names(judgement: Judgement) -> Told:
 
 
 def columns_of(data: bytes, oscillates: bool) -> Iterator[list[Column]]:
-    """t, theta, omega and, where there is one, the sinusoid, at each place where they may be in a file with one table."""
+    """t, theta, omega and, where there is one, the sinusoid, at each place where they may rightly be in a file with one table."""
     (table,) = tables(decoded(data))
-    for _, places in placements(table, oscillates):
+    for mistake, places in placements(table, oscillates):
         columns = columns_at(table, places)
-        if columns is not None:
+        if columns is not None and not mistake:
             yield [each for each in (columns.t, columns.theta, columns.omega, columns.sine) if each is not None]

@@ -41,7 +41,8 @@ def command(name: str) -> list[str | Path]:
     if source.suffix == ".py":
         return [sys.executable, source]
     target = Path(binaries().name) / name
-    done = finished([*COMPILERS[source.suffix], source, "-o", target, "-lm"], b"")
+    # Fortran's modules become files of the folder that it is compiled in.
+    done = finished([*COMPILERS[source.suffix], source, "-o", target, "-lm"], b"", cwd=target.parent)
     assert done.returncode == 0, done.stderr.decode()
     return [target]
 

@@ -1,4 +1,4 @@
-"""Programs that each make a mistake, whole and in many languages: the truth that the checker is tested against."""
+"""Programs that each make a mistake, and right ones, whole and in many languages: the truth that the checker is tested against."""
 
 import functools
 import sys
@@ -8,7 +8,7 @@ from pathlib import Path
 
 from processes import finished
 
-FOLDER = Path(__file__).with_suffix("") / "mistakes"
+FOLDER = Path(__file__).with_suffix("")
 
 COMPILERS: dict[str, Sequence[str]] = {
     ".c": ["gcc", "-O2"],
@@ -17,9 +17,9 @@ COMPILERS: dict[str, Sequence[str]] = {
 }
 
 
-def names() -> list[str]:
-    """Of all programs: euler, linear+euler, rough_pi-4_digits, …"""
-    return sorted(path.stem for path in FOLDER.iterdir() if path.suffix in {*COMPILERS, ".py"})
+def names(folder: str = "mistakes") -> list[str]:
+    """Of all programs of mistakes (euler, linear+euler, rough_pi-4_digits, …) or, in the folder "right", of none."""
+    return sorted(path.stem for path in (FOLDER / folder).iterdir() if path.suffix in {*COMPILERS, ".py"})
 
 
 def findings(name: str) -> list[str]:
@@ -29,7 +29,7 @@ def findings(name: str) -> list[str]:
 
 def source(name: str) -> Path:
     """The file of a program."""
-    (path,) = (path for path in FOLDER.iterdir() if path.stem == name)
+    (path,) = (path for path in FOLDER.glob("*/*") if path.stem == name)
     return path
 
 
@@ -47,7 +47,8 @@ def command(name: str) -> list[str | Path]:
     if written.suffix == ".py":
         return [sys.executable, written]
     target = Path(binaries().name) / name
-    done = finished([*COMPILERS[written.suffix], written, "-o", target, "-lm"], b"")
+    # Fortran's modules become files of the folder that it is compiled in.
+    done = finished([*COMPILERS[written.suffix], written, "-o", target, "-lm"], b"", cwd=target.parent)
     assert done.returncode == 0, done.stderr.decode()
     return [target]
 

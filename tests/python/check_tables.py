@@ -166,8 +166,9 @@ def doubts(known: Truth) -> np.ndarray:
     theta_doubt = np.abs(omega) * late + GROWTH * np.abs(theta).max()
     omega_doubt = known.alpha * late + GROWTH * np.abs(omega).max()
     # An arccosine (3.2) has a relative error δ by the last bit of its cosine; an arcsine near π/2 has √(2δ).
-    delta = min(1.0, 4 * EPSILON / (known.theta_max * max(np.sin(known.theta_max), EPSILON)))
-    sine_doubt = known.theta_max * (2 * np.pi * late / known.tau + delta + np.sqrt(2 * delta))
+    theta_max = abs(known.theta_max)
+    delta = min(1.0, 4 * EPSILON / max(theta_max * np.sin(theta_max), EPSILON))
+    sine_doubt = theta_max * (2 * np.pi * late / known.tau + delta + np.sqrt(2 * delta))
     return np.array([late, theta_doubt, omega_doubt, sine_doubt][: len(known.columns)])
 
 

@@ -1,0 +1,241 @@
+"""Which lines belong together: those below a header, those of a table, and those that hold one row."""
+
+from __future__ import annotations
+
+from collections import Counter
+from itertools import islice, pairwise
+from math import isnan
+from typing import TYPE_CHECKING
+
+from pendula.check._text import MOST_TABLES, ROW, TEXT, Line, Lines, UnreadableError
+from pendula.check._words import roles_of
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Sequence
+
+
+class Run:
+    """Lines from a header to the next one, or to the end."""
+
+    def __init__(self) -> None:
+        self.headers: tuple[tuple[str, ...], ...] = ()
+        self.header_place = 0
+        self.rows: list[Line] = []
+        self.others: list[Line] = []
+        """Lines that are no rows."""
+        self.is_before_header = False
+        self.is_folded = False
+        self.commas: tuple[int, int] | None = None
+        """The first line with decimal commas among commas, and how many such lines cannot be read."""
+
+
+def runs_of(text: str) -> list[Run]:
+    """All of a text, at most one more than its headers."""
+    runs = [Run()]
+    for line in Lines(text):
+        run = runs[-1]
+        if line.kind.headers:
+            if run.rows:
+                run.is_before_header = True
+                run = Run()
+                runs.append(run)
+                if len(runs) > 2 * MOST_TABLES:
+                    raise UnreadableError("many tables", MOST_TABLES)
+            if _named(line.kind.headers) >= _named(run.headers):
+                run.headers, run.header_place = line.kind.headers, line.place
+        elif line.kind.name == TEXT:
+            run.others.append(line)
+        else:
+            run.rows.append(line)
+    for run in runs:
+        _settle_words(run)
+        _pair_commas(run)
+        _unfold(run)
+    return runs
+
+
+def _named(headers: Sequence[tuple[str, ...]]) -> int:
+    return max((len(roles_of(header)) for header in headers), default=0)
+
+
+# Words among numbers.
+
+
+def _settle_words(run: Run) -> None:
+    """Lines with words are rows where they come one after another, or name a time and an angle; the others are none."""
+    labelled = Counter(one.kind.labels for one, other in pairwise(run.rows) if one.kind.labels == other.kind.labels != ())
+    kept = []
+    for place, line in enumerate(run.rows):
+        labels = line.kind.labels
+        if line.kind.name == ROW or labelled[labels] >= 2 or {"t", "theta"} <= roles_of(labels).keys():
+            kept.append(line)
+            if labels and not run.headers and len(roles_of(labels)) >= 2:
+                run.headers, run.header_place = (labels,), line.place
+        elif line.kind.is_prompted and not kept and _begins(line, run.rows[place + 1 : place + 3]):
+            kept.append(line)
+            run.others.append(line._replace(size=0))
+        else:
+            run.others.append(line)
+    run.rows = kept
+
+
+def _begins(line: Line, following: Sequence[Line]) -> bool:
+    """Whether a line that has a question before its numbers is the first row of a table."""
+    if any(other.kind.name != ROW or other.size != line.size for other in following) or len(following) < 2:
+        return False
+    first, second, third = (time_of(each, 0) for each in (line, *following))
+    return 0 <= first < second < third and second - first < 2 * (third - second)
+
+
+def time_of(line: Line, place: int) -> float:
+    """The number in a column; NaN where there is none."""
+    words = line.numbers.split(maxsplit=place + 1)
+    return float(words[place]) if place < len(words) else float("nan")
+
+
+# Rows that are folded over several lines.
+
+LONGEST_FOLD = 4  # lines
+LONGEST_PREAMBLE = 8
+JUDGED_BY = 200  # lines
+
+
+def _unfold(run: Run) -> None:
+    sizes = [line.size for line in run.rows]
+    if len(sizes) < 2:
+        return
+    for width in sorted({len(header) for header in run.headers if len(header) >= 3}):
+        ends = _ends_by_width(sizes, width)
+        if ends:
+            _join(run, [0, *ends])
+            return
+    for first in range(min(LONGEST_PREAMBLE, len(sizes))):
+        for lines in range(2, LONGEST_FOLD + 1):
+            if _is_periodic(sizes[first:], lines) and _rises_only_each(run.rows[first : first + JUDGED_BY], lines):
+                run.others += run.rows[:first]
+                del run.rows[:first]
+                _join(run, list(range(0, len(run.rows) + 1, lines)))
+                return
+        if sizes[first] > 1:  # a preamble has one number in a line
+            return
+
+
+def _ends_by_width(sizes: Sequence[int], width: int) -> list[int]:
+    """Where rows of this many numbers end, if all lines are parts of such rows; else none."""
+    if max(sizes) > width or 2 * sizes.count(width) >= len(sizes):
+        return []
+    ends, sum_ = [], 0
+    for end, size in enumerate(sizes, start=1):
+        sum_ += size
+        if sum_ > width:
+            return []
+        if sum_ == width:
+            ends.append(end)
+            sum_ = 0
+    return ends
+
+
+def _is_periodic(sizes: Sequence[int], lines: int) -> bool:
+    first = sizes[:lines]
+    is_uneven = len(set(first)) > 1 or max(first) <= 2
+    return is_uneven and sum(first) >= 3 and len(sizes) >= 2 * lines and _repeats(sizes, lines)
+
+
+def _repeats(sizes: Sequence[int], lines: int) -> bool:
+    return all(one == other for one, other in zip(sizes, islice(sizes, lines, None), strict=False))
+
+
+def _rises_only_each(rows: Sequence[Line], lines: int) -> bool:
+    """Whether the first number grows from row to row, and not from line to line."""
+    first = [time_of(line, 0) for line in rows]
+    falls = sum(two < one for one, two in pairwise(first))
+    rises = [one < two for one, two in pairwise(first[::lines])]
+    return sum(rises) > 0.8 * len(rises) and 10 * falls > len(first)
+
+
+def _join(run: Run, ends: Sequence[int]) -> None:
+    rows = [run.rows[start:stop] for start, stop in pairwise(ends)]
+    rows += [[line] for line in run.rows[ends[-1] :]]
+    run.rows = [
+        Line(parts[0].place, " ".join(part.numbers for part in parts), sum(part.size for part in parts), parts[0].kind)
+        for parts in rows
+    ]
+    run.is_folded = True
+
+
+# Commas that are decimal and separate numbers, too.
+
+MOST_PAIRED = 8  # numbers of a row, after pairing
+MOST_PAIRINGS = 1_000  # rows whose pairs are to be found
+
+
+def _pair_commas(run: Run) -> None:
+    bare = [line for line in run.rows if line.kind.is_bare]
+    if not bare or 2 * len(bare) < len(run.rows) or any("." in line.numbers for line in bare):
+        return
+    most = max(line.size for line in bare)
+    widths = {len(header) for header in run.headers} or {most // 2}
+    width = next((width for width in widths if 2 * width == most and 3 <= width <= MOST_PAIRED), None)
+    if width is None:
+        return
+    limits = [0] * width
+    for line in bare:
+        if line.size == most:
+            digits = (len(whole.lstrip("+-")) for whole in line.numbers.split()[::2])
+            limits = list(map(max, limits, digits))
+    lost, tried = 0, 0
+    for place, line in enumerate(run.rows):
+        fields = line.numbers.split()
+        found = []
+        if line.kind.is_bare and width <= line.size <= most:
+            tried += line.size < most
+            if line.size == most or tried <= MOST_PAIRINGS:
+                found = list(islice(_pairings(fields, limits), 2))
+        if len(found) == 1:
+            run.rows[place] = line._replace(numbers=" ".join(found[0]), size=width)
+        else:
+            lost += 1
+    run.commas = bare[0].place, lost
+
+
+def _pairings(fields: Sequence[str], limits: Sequence[int]) -> Iterator[list[str]]:
+    """All ways to make as many numbers as there are limits of their digits before the comma."""
+    if not limits:
+        yield []
+        return
+    first, others = fields[0], len(limits) - 1
+    if len(first.lstrip("+-").partition("e")[0]) > limits[0]:
+        return
+    if others <= len(fields) - 1 <= 2 * others:
+        yield from ([first, *rest] for rest in _pairings(fields[1:], limits[1:]))
+    if others <= len(fields) - 2 <= 2 * others and first[-1].isdigit() and "e" not in first and fields[1][0].isdigit():
+        yield from ([f"{first}.{fields[1]}", *rest] for rest in _pairings(fields[2:], limits[1:]))
+
+
+# Where tables begin.
+
+
+def starts_of(times: Sequence[float], breaks: set[int]) -> list[int]:
+    """The rows at which time begins anew; a single time that is wrong among right ones is no beginning."""
+    known: list[float] = []
+    for time in times:
+        known.append(known[-1] if isnan(time) and known else time)
+    steps = enumerate(pairwise(known), start=1)
+    falls = [row for row, (one, other) in steps if other < one or (row in breaks and other == one)]
+    if 2 * len(falls) > len(known):
+        return [0]  # time runs backwards, or is no time
+    starts = [0]
+    for row in falls:
+        if row in breaks or not _is_resumed(known, starts[-1], row):
+            starts.append(row)
+    return starts
+
+
+def _is_resumed(times: Sequence[float], start: int, row: int) -> bool:
+    """Whether times go on after a wrong one, which is this row's or that of the row before."""
+    for last, following in ((row - 1, row + 1), (row - 2, row)):
+        if last - start >= 2 and following < len(times):
+            step = (times[last] - times[start]) / (last - start)
+            if 0 < times[following] - times[last] < 3 * step:
+                return True
+    return False

@@ -1,0 +1,331 @@
+"""Files, their characters, and the numbers of their lines."""
+
+from __future__ import annotations
+
+import codecs
+import re
+import sys
+from contextlib import contextmanager, nullcontext
+from pathlib import Path
+from typing import TYPE_CHECKING, BinaryIO, NamedTuple
+
+from pendula._command import BAD_USAGE, RefusedError, Text
+from pendula.check._words import headers_of, role_of
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+# Bounds that no coursework comes near to. They keep any file within two seconds and 200 MB.
+MOST_BYTES = 1 << 24
+MOST_LINES = 200_000
+MOST_LETTERS = 1 << 13  # of a line
+MOST_KINDS = 5_000  # of lines, numbers aside
+MOST_NUMBERS = 1_000_000
+MOST_COLUMNS = 64
+MOST_TABLES = 1_000
+
+UNREADABLE: dict[str, Text] = {
+    "directory": ("{0!r} is a directory, no table", "{0!r} es un directorio, no una tabla"),
+    "no file": ("{0!r} does not exist", "{0!r} no existe"),
+    "no permission": ("{0!r} may not be read", "no hay permiso para leer {0!r}"),
+    "not read": ("{0!r} could not be read: {1}", "no se ha podido leer {0!r}: {1}"),
+    "too large": ("{0!r} is larger than {1} MiB", "{0!r} ocupa más de {1} MiB"),
+    "empty": ("{0!r} is empty", "{0!r} está vacío"),
+    "binary": ("{0!r} is no text: it holds control characters", "{0!r} no es texto: contiene caracteres de control"),
+    "many lines": ("there are more than {0} lines", "hay más de {0} líneas"),
+    "long line": ("line {0} is longer than {1} characters", "la línea {0} tiene más de {1} caracteres"),
+    "wide": ("line {0} has more than {1} numbers", "la línea {0} tiene más de {1} números"),
+    "many numbers": ("there are more than {0} numbers", "hay más de {0} números"),
+    "many kinds": (
+        "this is no table but text: there are more than {0} different lines of words",
+        "esto no es una tabla, sino texto: hay más de {0} líneas distintas con palabras",
+    ),
+    "many tables": ("there are more than {0} tables", "hay más de {0} tablas"),
+    "no table": (
+        "there is no table: no line of two numbers or more",
+        "no hay ninguna tabla: ninguna línea de dos números o más",
+    ),
+    "no problems": ("{0!r} holds no problem that could be read", "{0!r} no trae ningún problema que se pueda leer"),
+}
+
+
+class UnreadableError(RefusedError):
+    """There is nothing to mark; the name of the reason in UNREADABLE, and its values."""
+
+    def __init__(self, name: str, *values: object) -> None:
+        super().__init__(BAD_USAGE, UNREADABLE[name], *values)
+        self.name = name
+
+
+# Files.
+
+
+@contextmanager
+def opened(path: str) -> Iterator[BinaryIO]:
+    """The file, or standard input for "-". Raises UnreadableError, also for what goes wrong while it is read."""
+    try:
+        with nullcontext(sys.stdin.buffer) if path == "-" else Path(path).open("rb") as file:
+            yield file
+    except FileNotFoundError:
+        raise UnreadableError("no file", path) from None
+    except IsADirectoryError:
+        raise UnreadableError("directory", path) from None
+    except PermissionError:
+        raise UnreadableError("no permission", path) from None
+    except (OSError, ValueError) as error:
+        raise UnreadableError("not read", path, error) from None
+
+
+def contents(path: str) -> bytes:
+    """All of a file. Raises UnreadableError."""
+    with opened(path) as file:
+        data = file.read(MOST_BYTES + 1)
+    if len(data) > MOST_BYTES:
+        raise UnreadableError("too large", path, MOST_BYTES >> 20)
+    return data
+
+
+SAMPLE = 4096  # bytes in which UTF-16 is looked for
+MARKS = (
+    (codecs.BOM_UTF32_LE, "utf-32"),
+    (codecs.BOM_UTF16_LE, "utf-16"),
+    (codecs.BOM_UTF16_BE, "utf-16"),
+    (codecs.BOM_UTF8, "utf-8-sig"),
+)
+CONTROLS = re.compile(rb"[\0-\x08\x0e-\x19\x1c-\x1f]")
+CONTROLS_READ = re.compile(r"[\0-\x08\x0e-\x19\x1c-\x1f]")
+
+
+def unmarked_utf16(data: bytes) -> str:
+    """The encoding of UTF-16 without its mark, in which every other byte of digits is 0; "" for another one."""
+    sample = data[:SAMPLE]
+    for encoding, first in (("utf-16-le", 1), ("utf-16-be", 0)):
+        others = sample[1 - first :: 2]
+        if 4 * sample[first::2].count(0) > 3 * len(others) and others.count(0) == 0:
+            return encoding
+    return ""
+
+
+def decoded(data: bytes, path: str = "") -> str:
+    """UTF-8, UTF-16 with its mark or without, or else Latin-1, in which only letters of a header can be wrong."""
+    if not data.strip():
+        raise UnreadableError("empty", path)
+    marked = next((name for mark, name in MARKS if data.startswith(mark)), "")
+    encoding = marked or unmarked_utf16(data)
+    if not encoding and CONTROLS.search(data):
+        raise UnreadableError("binary", path)
+    if encoding.startswith(("utf-16", "utf-32")):
+        text = data.decode(encoding, errors="replace")
+        if CONTROLS_READ.search(text):
+            raise UnreadableError("binary", path)
+        return text
+    try:
+        return data.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        return data.decode("latin-1")
+
+
+# Lines.
+
+ROW, WORDED, TEXT, BLANK = "row", "worded", "text", "blank"
+
+
+class Kind(NamedTuple):
+    """What a line is, whatever its numbers are."""
+
+    name: str
+    """A ROW of numbers, one with words among them, TEXT without numbers, or BLANK."""
+    separator: str = ""
+    """Between the numbers; empty for white space."""
+    is_bare: bool = False
+    """Whether a comma without a space stands between numbers, so that it could be a decimal one."""
+    has_brackets: bool = False
+    fields: int = 0
+    """Of numbers and words."""
+    labels: tuple[str, ...] = ()
+    """The words before the numbers."""
+    is_prompted: bool = False
+    """Whether words stand only before the first number."""
+    headers: tuple[tuple[str, ...], ...] = ()
+    """The words of the header that the line may be, separated in several ways."""
+
+
+class Line(NamedTuple):
+    """A line that is not blank; one with several rows in brackets is several of these."""
+
+    place: int
+    """In the file, from 1."""
+    numbers: str
+    """As Python spells them, with spaces between."""
+    size: int
+    """How many numbers there are."""
+    kind: Kind
+
+
+PLAIN = Kind(ROW)
+NOTHING = Kind(BLANK)
+
+# Every repetition is possessive or bounded, so that nothing is tried twice.
+EXPONENT = r"(?:[eEdD][+-]?[0-9]{1,4}+|(?<=[0-9.])[+-][0-9]{3}(?![0-9.]))"
+NUMBER = rf"[+-]?+(?:(?:[0-9]++\.[0-9]*+|\.[0-9]++){EXPONENT}?+|[0-9]++(?:[eEdD][+-]?[0-9]{{1,4}}+)?+)"
+# How C, Microsoft's C, Python, Fortran and spreadsheets print what is no finite number or does not fit.
+NOT_FINITE = (
+    r"[+-]?+(?:(?:nan(?:\([a-z0-9]{0,9}\))?+|inf(?:inity)?+|none|null)(?!\w)|1[.,]#[a-z]++[0-9]*+|\*{2,}+)"
+    r"|#[\w¡/]{1,9}+[!?]"
+)
+TOKEN = re.compile(rf"(?<![\w.^+\-])({NOT_FINITE}|{NUMBER})(?![0-9_]|\.\S)", re.IGNORECASE)
+LETTERLESS = re.compile(r"(?<=[0-9.])(?=[+-][0-9]{3}$)")
+DECIMAL_COMMA = re.compile(r"(?<=[0-9]),(?=[0-9])")
+
+# Between numbers: a unit, brackets, quotes, and one separator at most.
+UNIT = r"(?:\s?+(?:(?:rad|radianes|seg|s|deg|grados|J)(?!\w)|[º°])(?:/s(?:eg)?+(?!\w))?+)?+"
+AROUND = r"[\s\[\](){}\"'$]*+"
+BETWEEN = re.compile(rf"{UNIT}{AROUND}([,;|&:]?+){AROUND}")
+BEFORE = re.compile(r"[\s\[\](){}\"'$#%!>|&*;/,]*+")
+AFTER = re.compile(rf"{UNIT}[\s\[\](){{}}\"'$|&;,.]*+")
+WORD = re.compile(r"[^\W0-9][\w'\u2032\u2019\u0307]*+")
+
+# What stands for a space, a minus sign, a comma, or nothing at all.
+SPELLINGS = (
+    ("\N{MINUS SIGN}", "-"),
+    ("\N{NO-BREAK SPACE}", " "),
+    ("\N{ZERO WIDTH NO-BREAK SPACE}", ""),
+    ("\0", ""),
+    ("\x1a", " "),
+    ("{,}", ","),
+)
+# What is replaced in lines with these letters: colours of a terminal, types of Python, quoted decimal commas.
+WRITINGS = (
+    ("\x1b", re.compile(r"\x1b\[[0-9;]{0,16}[A-Za-z]"), ""),
+    ("(", re.compile(r"(?:np\.|numpy\.)?(?:float[0-9]{0,3}|int[0-9]{0,3}|Decimal)\(([^()]{0,60})\)"), r"\1"),
+    ('"', re.compile(r'"(\s{0,9}[+-]?[0-9]{0,40}),([0-9]{1,40}(?:[eE][+-]?[0-9]{1,4})?\s{0,9})"'), r"\1.\2"),
+)
+ROW_ENDS = re.compile(r"(?<=[\])}])[\s,]{0,9}(?=[\[({])")
+LATEX_COMMANDS = re.compile(
+    r"\\(?:(?:hline|toprule|midrule|bottomrule)(?![a-z])|(?:begin|end|cline|cmidrule)(?:\{[^{}]{0,60}\}){0,2})"
+)
+
+
+class Lines:
+    """The lines of a text that are not blank."""
+
+    def __init__(self, text: str) -> None:
+        self._text = text
+        self._kinds: dict[str, Kind] = {}
+
+    def __iter__(self) -> Iterator[Line]:
+        """Raises UnreadableError where there is more than a table has."""
+        numbers = 0
+        for rows, (place, text) in enumerate(_rows_of_all(self._text)):
+            if rows >= MOST_LINES:
+                raise UnreadableError("many lines", MOST_LINES)
+            if len(text) > MOST_LETTERS:
+                raise UnreadableError("long line", place, MOST_LETTERS)
+            line = self._read(place, text)
+            numbers += line.size
+            if line.size > MOST_COLUMNS:
+                raise UnreadableError("wide", place, MOST_COLUMNS)
+            if numbers > MOST_NUMBERS:
+                raise UnreadableError("many numbers", MOST_NUMBERS)
+            if line.kind.name != BLANK:
+                yield line
+
+    def _read(self, place: int, text: str) -> Line:
+        if text.isascii() and "_" not in text:
+            words = text.split()
+            try:
+                for word in words:
+                    float(word)
+            except ValueError:
+                pass
+            else:
+                return Line(place, text, len(words), PLAIN if words else NOTHING)
+        for spelling, plain in SPELLINGS:
+            if spelling in text:
+                text = text.replace(spelling, plain)
+        for spelling, expression, plain in WRITINGS:
+            if spelling in text:
+                text = expression.sub(plain, text)
+        if "," in text and (decimal := DECIMAL_COMMA.sub(".", text)) != text:
+            return self._with_commas(place, text, decimal)
+        return self._split(place, text)
+
+    def _with_commas(self, place: int, text: str, decimal: str) -> Line:
+        """Commas between digits are decimal ones where something else separates the numbers."""
+        line = self._split(place, decimal)
+        if line.kind.name == ROW and not line.kind.is_bare:
+            return line
+        other = self._split(place, text)
+        return other if other.kind.name == ROW or line.kind.name != WORDED else line
+
+    def _split(self, place: int, text: str) -> Line:
+        parts = TOKEN.split(text)
+        shape = "\0".join(parts[::2])
+        kind = self._kinds.get(shape)
+        if kind is None:
+            if len(self._kinds) >= MOST_KINDS:
+                raise UnreadableError("many kinds", MOST_KINDS)
+            kind = self._kinds[shape] = _kind(parts[::2])
+        return Line(place, " ".join(map(_spelled, parts[1::2])), len(parts) // 2, kind)
+
+
+def _rows_of_all(text: str) -> Iterator[tuple[int, str]]:
+    """The place and the text of every row."""
+    is_latex = "\\\\" in text
+    end = "\n" if "\n" in text else "\r"
+    place, start = 1, 0
+    while start <= len(text):
+        stop = text.find(end, start)
+        stop = len(text) if stop < 0 else stop
+        for line in text[start:stop].rstrip("\r").split("\r", MOST_LINES):
+            yield from ((place, row) for row in _rows_of(line, is_latex))
+            place += 1
+        start = stop + 1
+
+
+def _rows_of(line: str, is_latex: bool) -> list[str]:
+    """The rows of a line: brackets may hold several, and so may LaTeX."""
+    if is_latex and "\\" in line:
+        rows = LATEX_COMMANDS.sub(" ", line).split("\\\\", MOST_LINES)
+        return rows if len(rows) == 1 or rows[-1].strip() else rows[:-1]
+    if ("]" in line or ")" in line or "}" in line) and ROW_ENDS.search(line):
+        rows = ROW_ENDS.split(line, MOST_LINES)
+        if sum(len(TOKEN.findall(row, 0, MOST_LETTERS)) > 1 for row in rows[:4]) > 1:
+            return rows
+    return [line]
+
+
+def _spelled(number: str) -> str:
+    """A number as Python spells it."""
+    if number[-1] not in "0123456789.":
+        return "nan"
+    if "#" in number:
+        return "nan"
+    number = number.replace("D", "e").replace("d", "e")
+    return number if "e" in number or "E" in number else LETTERLESS.sub("e", number)
+
+
+def _kind(parts: list[str]) -> Kind:
+    """What a line is that has these parts before, between and after its numbers."""
+    if len(parts) == 1:
+        return Kind(TEXT, headers=headers_of(parts[0])) if parts[0].strip() else NOTHING
+    between = [BETWEEN.fullmatch(part) for part in parts[1:-1]]
+    is_clean = all(match and match[0] for match in between) and AFTER.fullmatch(parts[-1])
+    separators = {match[1] for match in between if match} - {":", ""}
+    found = Kind(
+        ROW,
+        "".join(sorted(separators)),
+        any(part.strip("\"'") == "," for part in parts[1:-1]),
+        any(letter in part for part in parts for letter in "[](){}"),
+        len(re.split(r"[\s,;|&]+", "0".join(parts).strip())),
+    )
+    if is_clean and BEFORE.fullmatch(parts[0]):
+        return found
+    labels = tuple(map(_label, parts[:-1]))
+    return found._replace(name=WORDED, labels=labels, is_prompted=bool(is_clean), headers=headers_of(parts[-1]))
+
+
+def _label(words: str) -> str:
+    """The word that names the number behind it: the last one of a quantity, or else the last one."""
+    found = WORD.findall(words)[::-1]
+    return next((word for word in found if role_of(word)), found[0] if found else "")

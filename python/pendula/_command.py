@@ -50,6 +50,11 @@ TEXTS: dict[str, Text] = {
     ),
 }
 
+NO_MATPLOTLIB: Text = (
+    "matplotlib is missing; install it with: pip install 'pendula[plot]'",
+    "falta matplotlib; instálalo con: pip install 'pendula[plot]'",
+)
+
 
 def say(text: Text, lang: str, *values: object, **named: object) -> str:
     """A text in a language, with its values."""

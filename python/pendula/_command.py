@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import shutil
+import signal
 import subprocess
 import sys
 import sysconfig
@@ -108,6 +109,7 @@ def run(command: Command, work: Callable[[dict[str, str], list[str], str], int])
             tell(f"{command.name}: {say(refused.text, lang, *refused.values)}")
         return refused.status
     except KeyboardInterrupt:
+        signal.signal(signal.SIGINT, signal.SIG_IGN)  # once is enough: what is left is to end
         return INTERRUPTED
     return DONE
 

@@ -7,6 +7,8 @@ import os
 import signal
 import sys
 from concurrent.futures import ProcessPoolExecutor, as_completed
+from concurrent.futures.process import BrokenProcessPool
+from contextlib import suppress
 from multiprocessing import get_context
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
@@ -17,7 +19,7 @@ from pendula.check._seam import ERROR, Finding, judge, match
 from pendula.check._table import UnreadableError, read_file
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable, Sequence
+    from collections.abc import Iterable, Sequence
 
     from pendula.check._seam import Judgement, Problem
     from pendula.check._table import Table
@@ -26,6 +28,7 @@ FEW_FILES = 3  # are marked before other processes would have started
 MOST_PROCESSES = 16
 
 EMPTY_FOLDER: Text = ("{0!r} holds no files to mark", "{0!r} no tiene ficheros que corregir")
+ENDED: Text = ("a process that marks files was ended from outside", "se ha terminado desde fuera un proceso que corregía")
 
 
 class Fit(NamedTuple):
@@ -127,7 +130,10 @@ def _expanded(word: str) -> list[str]:
         if not found:
             raise RefusedError(BAD_USAGE, EMPTY_FOLDER, word)
         return found
-    return (_is_pattern(word) and sorted(path for path in glob.glob(word) if Path(path).is_file())) or [word]
+    if _is_pattern(word):
+        matching = sorted(path for path in glob.glob(word) if Path(path).is_file())  # noqa: PTH207, it may begin anywhere
+        return matching or [word]
+    return [word]
 
 
 def _stem(path: str) -> str:
@@ -180,36 +186,46 @@ def _mark(task: Task, number: int, problem: Problem, table: Table | None, findin
 def mark_all(task: Task, entries: Sequence[tuple[str, str]]) -> list[Student]:
     """All files, in their order, by as many processes as there are processors."""
     workers = min(os.cpu_count() or 1, len(entries), MOST_PROCESSES)
-    tell = _counter(len(entries))
-    if workers < 2 or len(entries) <= FEW_FILES or any(path == "-" for _, path in entries):
-        return [student for student in (mark_file(task, *entry) for entry in entries) if tell()]
-    # Started anew and not forked: the core has threads. They leave Ctrl-C to this process, which then ends them.
-    with ProcessPoolExecutor(workers, get_context("spawn"), signal.signal, (signal.SIGINT, signal.SIG_IGN)) as pool:
-        before = signal.signal(signal.SIGINT, signal.SIG_IGN)  # they inherit it, for the time before their first call
+    is_alone = workers < 2 or len(entries) <= FEW_FILES or any(path == "-" for _, path in entries)
+    pool = None if is_alone else _pool(workers)
+    students = []
+    if pool is None:
+        for place, (name, path) in enumerate(entries):
+            _count(place, len(entries))
+            students.append(mark_file(task, name, path))
+        _count(len(entries), len(entries))
+        return students
+    with pool:
+        before = signal.signal(signal.SIGINT, signal.SIG_IGN)  # inherited by the processes, until their own first call
         try:
             futures = [pool.submit(mark_file, task, *entry) for entry in entries]
         finally:
             signal.signal(signal.SIGINT, before)
         try:
-            for _ in as_completed(futures):
-                tell()
-        except BaseException:
+            for place, future in enumerate(as_completed(futures), start=1):
+                future.result()
+                _count(place, len(entries))
+            return [future.result() for future in futures]
+        except BrokenProcessPool:
+            raise RefusedError(BAD_USAGE, ENDED) from None
+        finally:
             pool.shutdown(wait=False, cancel_futures=True)
-            raise
-        return [future.result() for future in futures]
 
 
-def _counter(files: int) -> Callable[[], bool]:
-    """Counts files on a terminal's standard error, and leaves no trace there."""
-    done = 0
+def _pool(workers: int) -> ProcessPoolExecutor | None:
+    """Processes that are started anew and not forked, for the core has threads; None where the system has none to give.
 
-    def tell() -> bool:
-        nonlocal done
-        done += 1
-        if files > 1 and sys.stderr is not None and sys.stderr.isatty():
-            text = f"{done}/{files}"
-            sys.stderr.write(f"\r{text}" if done < files else "\r" + " " * len(text) + "\r")
-            sys.stderr.flush()
-        return True
+    They leave Ctrl-C to this process, which ends them.
+    """
+    try:
+        return ProcessPoolExecutor(workers, get_context("spawn"), signal.signal, (signal.SIGINT, signal.SIG_IGN))
+    except (ImportError, NotImplementedError, OSError):
+        return None
 
-    return tell
+
+def _count(done: int, files: int) -> None:
+    """Tells on a terminal's standard error how many files of a class are marked, and leaves no trace there."""
+    if files > 1 and sys.stderr is not None and sys.stderr.isatty():
+        text = f"{done}/{files}"
+        with suppress(OSError):
+            os.write(2, f"\r{text if done < files else ' ' * len(text)}\r".encode())

@@ -10,8 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from pendula._command import BAD_USAGE, NOT_WRITTEN, RefusedError, Text, say
-from pendula.check._report import TEXTS as REPORT
-from pendula.check._report import column_lines, count_line, finding_lines, reason
+from pendula.check._report import column_lines, count_line, finding_lines, reason, titles
 from pendula.check._seam import ERROR, page
 
 if TYPE_CHECKING:
@@ -38,12 +37,11 @@ TEXTS: dict[str, Text] = {
     "looks": ("What it looks like", "Cómo se ve"),
     "why": ("Why", "Por qué"),
     "find": ("How to find it", "Cómo encontrarlo"),
-    "missing": ("There is no table.", "No hay tabla."),
     "picture": (
         "Angle and velocity against time, and phase space: the table over what is right",
         "Ángulo y velocidad frente al tiempo, y espacio de fases: la tabla sobre lo correcto",
     ),
-    "back": ("the class", "la clase"),
+    "more": ("more", "más"),
 }
 
 # The first bytes of each page: a folder that holds nothing else may be written again.
@@ -173,8 +171,9 @@ def _mark(mark: Mark, terms: Terms) -> str:
 
 
 def _findings(findings: Sequence[Finding], digits: int, terms: Terms) -> str:
+    more = escape(say(TEXTS["more"], terms.lang))
     items = [
-        f'<li class="{escape(finding.severity)}">{escape(line)} <a href="#{escape(finding.name)}">…</a></li>'
+        f'<li class="{escape(finding.severity)}">{escape(line)} <a href="#{escape(finding.name)}">{more}</a></li>'
         for finding, line in zip(findings, finding_lines(findings, digits, terms), strict=True)
     ]
     return f"<ul>{''.join(items)}</ul>" if items else ""
@@ -198,7 +197,7 @@ def class_page(students: Sequence[Student], names: Sequence[str], terms: Terms) 
 
     problems = max((len(student.marks) for student in students), default=0)
     heads = [text("student"), *map(str, range(1, problems + 1)), text("verdict")]
-    heads += [text("points")] if terms.tells_points else []
+    heads += [*([text("points")] if terms.tells_points else []), text("findings")]
     rows = []
     for student, name in zip(students, names, strict=True):
         cells = [f'<a href="{escape(name)}">{escape(student.name)}</a>']
@@ -206,6 +205,7 @@ def class_page(students: Sequence[Student], names: Sequence[str], terms: Terms) 
         cells += [*signs] if student.marks else ["–"] * problems
         cells += [f'<span class="{("right", "wrong", "unreadable")[student.status]}">{escape(terms.verdict(student))}</span>']
         cells += [f"{terms.scale.of_student(student, terms.strict):.4g}"] if terms.tells_points else []
+        cells += [escape(titles(student, terms))]
         rows.append("".join(f"<td>{cell}</td>" for cell in cells))
     table = f"<tr>{''.join(f'<th>{head}</th>' for head in heads)}</tr>" + "".join(f"<tr>{row}</tr>\n" for row in rows)
     often = "".join(

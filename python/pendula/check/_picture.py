@@ -1,34 +1,99 @@
-"""A table's picture: angle and velocity against time, and phase space, over those of the right table."""
+"""A table's picture: angle and velocity against time, how far they are from what is right, and phase space."""
 
 from __future__ import annotations
 
 import io
-from typing import TYPE_CHECKING
+from functools import cache
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
 from pendula import _core
 from pendula._closed_form import exact
 from pendula._command import Text, say
-from pendula.plot._style import BLUE, GREY, VERMILION, angle_axis, axes
+from pendula.plot._style import BLUE, GREY, ORANGE, VERMILION, angle_axis, axes
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+    from matplotlib.lines import Line2D
 
     from pendula.check._seam import Judgement, Problem
-    from pendula.check._table import Floats
+    from pendula.check._table import Floats, Integers
 
 MOST_MARKS = 250  # beyond, circles would hide each other
 MOST_POINTS = 2000  # of a table; more are no finer on a page
-POINTS_PER_PERIOD, MOST_PERIODS = 120, 40  # of the right curve; beyond, only its values at the table's rows are drawn
+POINTS_PER_PERIOD, MOST_PERIODS = 120, 40  # of the right curve; beyond, it is drawn through the table's times
 FARTHEST = 100  # times the right values' extent; what is farther off is outside of the picture
+WIDE = np.pi / 2  # angles beyond are shown in the whole turn
 
 TEXTS: dict[str, Text] = {
     "right": ("right", "lo correcto"),
     "table": ("the table", "la tabla"),
     "wrong": ("first wrong row", "primera fila mal"),
-    "not judged": ("not judged", "sin juzgar"),
+    "not judged": ("not judged from here on", "sin juzgar desde aquí"),
+    "difference": ("table − right", "tabla − correcto"),
 }
+RC: Any = {"svg.hashsalt": "pendula", "svg.fonttype": "none", "font.size": 9}
+
+
+class Panel(NamedTuple):
+    """Axes with what is right, the table over it and its first wrong row."""
+
+    ax: Axes
+    right: Line2D
+    table: Line2D
+    wrong: Line2D
+
+
+class Canvas(NamedTuple):
+    """All that a picture consists of."""
+
+    figure: Figure
+    theta: Panel
+    omega: Panel
+    phase: Panel
+    off: Axes
+    theta_off: Line2D
+    omega_off: Line2D
+    limits: tuple[Line2D, ...]
+    """From which time on nothing is judged."""
+
+
+@cache
+def _canvas() -> Canvas:
+    """Made once and filled anew for each picture: to make axes takes longer than to draw."""
+    from matplotlib.figure import Figure
+    from matplotlib.ticker import MaxNLocator
+
+    figure = Figure(figsize=(9.6, 4.8))
+    places = ((0.08, 0.69, 0.44, 0.24), (0.08, 0.4, 0.44, 0.24), (0.61, 0.1, 0.375, 0.83), (0.08, 0.1, 0.44, 0.24))
+    theta, omega, phase, off = (axes(figure.add_axes(place)) for place in places)
+    theta.tick_params(labelbottom=False)
+    omega.tick_params(labelbottom=False)
+    theta.set_ylabel("θ [rad]")
+    omega.set_ylabel("ω [rad/s]")
+    phase.set(xlabel="θ [rad]", ylabel="ω [rad/s]")
+    off.set_xlabel("t [s]")
+    for ax, ticks in ((theta, 3), (omega, 3), (off, 3), (phase, 7)):
+        ax.yaxis.set_label_coords(-0.13, 0.5)
+        ax.xaxis.set_major_locator(MaxNLocator(6))
+        ax.yaxis.set_major_locator(MaxNLocator(ticks))
+    off.axhline(0, color=GREY, linewidth=0.8)
+    style: dict[str, Any] = {"linestyle": "", "markersize": 2.5}
+    (theta_off,) = off.plot([], [], color=BLUE, marker="o", label="θ", **style)
+    (omega_off,) = off.plot([], [], color=ORANGE, marker="^", label="ω", **style)
+    off.legend(loc="upper left", ncols=2, frameon=False, borderaxespad=0, handlelength=1.2, fontsize=8)
+    limits = tuple(ax.axvline(0, color=GREY, linestyle=(0, (4, 2))) for ax in (theta, omega, off))
+    return Canvas(figure, _panel(theta), _panel(omega), _panel(phase), off, theta_off, omega_off, limits)
+
+
+def _panel(ax: Axes) -> Panel:
+    (right,) = ax.plot([], [], color=GREY, linewidth=1.2)
+    (table,) = ax.plot([], [], color=BLUE, markersize=3.6, markerfacecolor="none", linewidth=0.8)
+    ring: dict[str, Any] = {"marker": "o", "markersize": 11, "markerfacecolor": "none", "markeredgewidth": 2, "clip_on": False}
+    (wrong,) = ax.plot([], [], color=VERMILION, linestyle="", **ring)
+    return Panel(ax, right, table, wrong)
 
 
 def picture(problem: Problem, judgement: Judgement, lang: str) -> str:
@@ -36,30 +101,38 @@ def picture(problem: Problem, judgement: Judgement, lang: str) -> str:
     if judgement.columns is None:
         return ""
     import matplotlib as mpl
-    from matplotlib.figure import Figure
 
     columns = judgement.columns
     rows = _shown(len(columns.lines), first := _first_wrong(judgement))
-    t, theta, omega = (column.values[rows] for column in columns[:3])
-    right = _right(problem, columns.t.values[rows])
-    with mpl.rc_context({"svg.hashsalt": "pendula", "axes.grid": True, "grid.color": "0.92", "font.size": 9}):
-        figure = Figure(figsize=(9.6, 4.2), layout=None)  # the layouts of matplotlib take as long as the drawing
-        above, below = figure.add_axes((0.065, 0.57, 0.46, 0.35)), figure.add_axes((0.065, 0.12, 0.46, 0.35))
-        phase = figure.add_axes((0.6, 0.12, 0.385, 0.8))
-        for ax, x, y in ((above, 0, 1), (below, 0, 2), (phase, 1, 2)):
-            table, wanted = (t, theta, omega), right
-            _draw(axes(ax), (wanted[x], wanted[y]), (table[x], table[y]), np.flatnonzero(rows == first), lang)
-        _label(above, below, phase, float(np.abs(theta).max()) <= np.pi * 1.001)
-        _shade(judgement, above, below, lang)
-        # One entry each, above all axes, where no data are.
-        entries = dict(zip(*reversed(above.get_legend_handles_labels()), strict=True))
-        figure.legend(entries.values(), entries.keys(), loc="upper left", ncols=4, frameon=False, borderaxespad=0.2)
+    table = (columns.t.values[rows], columns.theta.values[rows], columns.omega.values[rows])
+    right = _right(problem, table[0])
+    wrong = np.flatnonzero(rows == first)
+    with mpl.rc_context(RC):
+        canvas = _canvas()
+        for panel, x, y in ((canvas.theta, 0, 1), (canvas.omega, 0, 2), (canvas.phase, 1, 2)):
+            _fill(panel, (right[x], right[y]), (table[x], table[y]), wrong)
+        largest = max(float(np.nanmax(np.abs(each[1]))) for each in (right, table))
+        _set_angle_axes(canvas, is_turn=WIDE < largest <= np.pi * 1.001)
+        _fill_off(canvas, judgement, rows, lang)
+        _legend(canvas, judgement, lang)
         written = io.StringIO()
-        figure.savefig(written, format="svg", metadata={"Date": None})
+        canvas.figure.savefig(written, format="svg", metadata={"Date": None})
     return written.getvalue()
 
 
-def _shown(rows: int, first: int | None) -> Floats:
+def _set_angle_axes(canvas: Canvas, is_turn: bool) -> None:
+    """The whole turn with ticks at its quarters, or what there is of it."""
+    from matplotlib.ticker import MaxNLocator, ScalarFormatter
+
+    for axis, ticks in ((canvas.theta.ax.yaxis, 3), (canvas.phase.ax.xaxis, 6)):
+        axis.set_major_locator(MaxNLocator(ticks))
+        axis.set_major_formatter(ScalarFormatter())
+    if is_turn:
+        angle_axis(canvas.theta.ax, "y")
+        angle_axis(canvas.phase.ax, "x")
+
+
+def _shown(rows: int, first: int | None) -> Integers:
     """Places of the rows that are drawn: evenly spaced, and the first wrong one."""
     places = np.arange(0, rows, -(-rows // MOST_POINTS))
     return places if first is None else np.union1d(places, first)
@@ -77,25 +150,32 @@ def _right(problem: Problem, t: Floats) -> tuple[Floats, Floats, Floats]:
     periods = until / problem.tau
     if periods <= MOST_PERIODS:
         t = np.linspace(0, until, int(np.ceil(periods * POINTS_PER_PERIOD)) + 2)
-    t = np.clip(t, 0, problem.until)
+    t = np.clip(t, 0, until)
     theta, omega = exact(problem.theta0, problem.omega0, t, alpha=problem.alpha)
-    theta = _core.wrap(theta)
-    return t, np.where(np.abs(np.diff(theta, append=theta[-1])) > np.pi, np.nan, theta), omega
+    return t, _broken(_core.wrap(theta)), omega
 
 
-def _draw(ax: Axes, right: tuple[Floats, Floats], table: tuple[Floats, Floats], first: Floats, lang: str) -> None:
+def _broken(theta: Floats) -> Floats:
+    """With a gap before each jump."""
+    return np.where(np.abs(np.diff(theta, append=theta[-1])) > np.pi, np.nan, theta)
+
+
+def _fill(panel: Panel, right: tuple[Floats, Floats], table: tuple[Floats, Floats], wrong: Integers) -> None:
     """A table over what is right, and its first wrong row."""
     low, high = np.transpose([_limits(*each) for each in zip(right, table, strict=True)])
     # Values far outside would overflow while they are drawn.
     x, y = (np.clip(each, 2 * a - b, 2 * b - a) for each, a, b in zip(table, low, high, strict=True))
-    are_marks = x.size <= MOST_MARKS
-    ax.plot(*right, color=GREY, linewidth=1.2, label=say(TEXTS["right"], lang))
-    line = {"linestyle": "none", "marker": "o", "markersize": 3.6, "markerfacecolor": "none"} if are_marks else {"linewidth": 0.8}
-    ax.plot(x, y, color=BLUE, label=say(TEXTS["table"], lang), **line)
-    if first.size:
-        ring = {"linestyle": "none", "marker": "o", "markersize": 12, "markerfacecolor": "none", "markeredgewidth": 2}
-        ax.plot(x[first], y[first], color=VERMILION, label=say(TEXTS["wrong"], lang), **ring)
-    ax.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]))
+    panel.right.set_data(*right)
+    panel.table.set_data(x, y)
+    _as_marks(panel.table, x.size, "o")
+    panel.wrong.set_data(x[wrong], y[wrong])
+    panel.ax.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]))
+
+
+def _as_marks(line: Line2D, rows: int, marker: str) -> None:
+    """Marks where there are few rows; else only a line, that jumps where the angle is wrapped."""
+    are_marks = rows <= MOST_MARKS
+    line.set(marker=marker if are_marks else "", linestyle="" if are_marks else "-")
 
 
 def _limits(right: Floats, table: Floats) -> tuple[float, float]:
@@ -108,19 +188,30 @@ def _limits(right: Floats, table: Floats) -> tuple[float, float]:
     return low - margin, high + margin
 
 
-def _label(above: Axes, below: Axes, phase: Axes, is_wrapped: bool) -> None:
-    below.set(xlabel="t [s]", ylabel="ω [rad/s]")
-    above.set(ylabel="θ [rad]")
-    phase.set(xlabel="θ [rad]", ylabel="ω [rad/s]")
-    above.tick_params(labelbottom=False)
-    if is_wrapped:
-        angle_axis(above, "y")
-        angle_axis(phase, "x")
+def _fill_off(canvas: Canvas, judgement: Judgement, rows: Integers, lang: str) -> None:
+    """How far angle and velocity are from what is right, on their own scale."""
+    assert judgement.columns is not None
+    t, theta, omega = (column.values[rows] for column in judgement.columns[:3])
+    theta_off = _core.wrap(theta - judgement.deviations["theta"].wanted[rows])
+    omega_off = omega - judgement.deviations["omega"].wanted[rows]
+    low, high = canvas.theta.ax.get_xlim()
+    largest = float(np.abs([theta_off, np.clip(omega_off, -FARTHEST, FARTHEST)]).max()) or 1.0
+    for line, off, marker in ((canvas.theta_off, theta_off, "o"), (canvas.omega_off, omega_off, "^")):
+        line.set_data(np.clip(t, 2 * low - high, 2 * high - low), np.clip(off, -2 * largest, 2 * largest))
+        _as_marks(line, t.size, marker)
+    canvas.off.set(xlim=(low, high), ylim=(-1.1 * largest, 1.6 * largest), ylabel=say(TEXTS["difference"], lang))
 
 
-def _shade(judgement: Judgement, above: Axes, below: Axes, lang: str) -> None:
-    """The time from which on rounding decides."""
-    for finding in judgement.findings:
-        if finding.name == "not_judged":
-            for ax in (above, below):
-                ax.axvspan(float(finding.values["t"]), ax.get_xlim()[1], color="0.9", label=say(TEXTS["not judged"], lang))
+def _legend(canvas: Canvas, judgement: Judgement, lang: str) -> None:
+    """Above all axes, where no data are."""
+    panel, entries = canvas.theta, {"right": canvas.theta.right, "table": canvas.theta.table}
+    if panel.wrong.get_xdata().size:  # type: ignore[union-attr]
+        entries["wrong"] = panel.wrong
+    since = next((float(each.values["t"]) for each in judgement.findings if each.name == "not_judged"), None)
+    for line in canvas.limits:
+        line.set(xdata=[since, since] if since is not None else [], ydata=[0, 1] if since is not None else [])
+    if since is not None:
+        entries["not judged"] = canvas.limits[0]
+    canvas.figure.legends.clear()
+    names = [say(TEXTS[name], lang) for name in entries]
+    canvas.figure.legend([*entries.values()], names, loc="upper left", ncols=4, frameon=False, borderaxespad=0.2)

@@ -132,7 +132,7 @@ def finding_lines(findings: Iterable[Finding], digits: int, terms: Terms) -> lis
 def class_as_text(students: Sequence[Student], terms: Terms) -> str:
     """A line for each student, and how many are right."""
     rows = [
-        (shown(each.name), f"{each.right}/{len(each.marks)}" if each.marks else "-", terms.verdict(each), _titles(each, terms))
+        (shown(each.name), f"{each.right}/{len(each.marks)}" if each.marks else "-", terms.verdict(each), titles(each, terms))
         for each in students
     ]
     if terms.tells_points:
@@ -152,7 +152,7 @@ def count_line(students: Sequence[Student], terms: Terms) -> str:
     return terms.line("class", len(students), *map(verdicts.count, ("right", "wrong", "unreadable")))
 
 
-def _titles(student: Student, terms: Terms) -> str:
+def titles(student: Student, terms: Terms) -> str:
     """The first findings in a few words, mistakes before remarks, with the problems that they are found in."""
     if student.unreadable:
         return shown(reason(student, terms.lang))
@@ -161,11 +161,11 @@ def _titles(student: Student, terms: Terms) -> str:
     every += [(finding, 0) for finding in student.findings]
     for finding, problem in sorted(every, key=lambda each: each[0].severity != ERROR):
         found.setdefault(finding.name, []).append(problem)
-    titles = []
+    shorts = []
     for name, problems in found.items():
         places = "" if len(problems) == len(student.marks) or not any(problems) else f" ({', '.join(map(str, problems))})"
-        titles.append(page(name, terms.lang).title + places)
-    return "; ".join(titles[:MOST_TITLES]) + ("; …" if len(titles) > MOST_TITLES else "")
+        shorts.append(page(name, terms.lang).title + places)
+    return "; ".join(shorts[:MOST_TITLES]) + ("; …" if len(shorts) > MOST_TITLES else "")
 
 
 def reason(student: Student, lang: str) -> str:

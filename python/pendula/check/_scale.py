@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import tomllib
 from difflib import get_close_matches
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from pendula._command import BAD_USAGE, RefusedError, Text
 from pendula.check._seam import ERROR, names
@@ -56,15 +56,15 @@ class Scale(NamedTuple):
 
 def read_scale(path: str | None, points: str | None) -> Scale:
     """A scale from a file, if there is one, with the points of the option, if it is given. Raises RefusedError."""
-    given = _read(path) if path else {}
+    scale = Scale(**_read(path)) if path else Scale()
     if points is not None:
-        given["points"] = _number(points)
-        if not 0 < given["points"] < math.inf:
+        scale = scale._replace(points=_number(points))
+        if not 0 < scale.points < math.inf:
             raise RefusedError(BAD_USAGE, TEXTS["not positive"], "--points", points)
-    return Scale(**given)
+    return scale
 
 
-def _read(path: str) -> dict[str, float | Mapping[str, float]]:
+def _read(path: str) -> dict[str, Any]:
     with opened(path) as file:
         try:
             given = tomllib.load(file)

@@ -19,7 +19,10 @@ if TYPE_CHECKING:
 
 REMARK, ERROR = "remark", "error"
 OWN = {
-    "table_spare": ("The table that begins in line {line} belongs to no problem.", "La tabla que empieza en la línea {line} sobra."),
+    "table_spare": (
+        "The table that begins in line {line} belongs to no problem.",
+        "La tabla que empieza en la línea {line} sobra.",
+    ),
     "tables_exchanged": (
         "The table of problem {problem} comes in place {place}: the tables are in another order.",
         "La tabla del problema {problem} está en el lugar {place}: las tablas están en otro orden.",
@@ -87,7 +90,7 @@ def judge(problem: Problem, table: Table) -> Judgement:
     columns = next((each for each in places if each is not None), None) if found.deviations else None
     findings = []
     for name, values, severity in found.findings:
-        where = Where(*(values[key] for key in Where._fields)) if "column" in values else None
+        where = Where(**{key: values[key] for key in Where._fields}) if "column" in values else None  # type: ignore[arg-type]
         findings.append(Finding(name.replace(" ", "_"), values, severity, where))
     return Judgement(findings, found.deviations, columns, columns.digits if columns else 6)
 
@@ -112,7 +115,8 @@ def as_text(page: Page) -> str:
 
 def says(name: str, lang: str, values: Mapping[str, Value], digits: int) -> str:
     shown = {key: f"{value:.{digits}g}" if isinstance(value, float) else value for key, value in values.items()}
-    return say(tuple(text.replace(":.6g", "").replace(":.2g", "") for text in TEXTS[name]), lang, **shown, regime=shown.get("k"))
+    en, es = (text.replace(":.6g", "").replace(":.2g", "") for text in TEXTS[name])
+    return say((en, es), lang, **shown, regime=shown.get("k")).split(" First in")[0].split(" Se ve primero")[0]
 
 
 def _fields(text: str) -> list[str]:

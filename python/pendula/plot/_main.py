@@ -11,7 +11,19 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from pendula._command import BAD_DATA, BAD_USAGE, DONE, NO_MATPLOTLIB, NOT_WRITTEN, Command, Option, RefusedError, Text, run, solve
+from pendula._command import (
+    BAD_DATA,
+    BAD_USAGE,
+    DONE,
+    NO_MATPLOTLIB,
+    NOT_WRITTEN,
+    Command,
+    Option,
+    RefusedError,
+    Text,
+    run,
+    solve,
+)
 from pendula.plot._figures import animate, phase_portrait, time_series
 from pendula.plot._style import new_figure
 

@@ -8,10 +8,12 @@ import signal
 import sys
 from concurrent.futures import ProcessPoolExecutor, as_completed
 from concurrent.futures.process import BrokenProcessPool
-from contextlib import suppress
-from multiprocessing import get_context
+from contextlib import contextmanager, suppress
+from multiprocessing import active_children, get_context
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
 
 from pendula._command import BAD_DATA, BAD_USAGE, DONE, RefusedError, Text
 from pendula.check._picture import picture
@@ -19,7 +21,7 @@ from pendula.check._seam import ERROR, Finding, judge, match
 from pendula.check._table import UnreadableError, read_file
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Sequence
+    from collections.abc import Iterable, Iterator, Sequence
 
     from pendula.check._seam import Judgement, Problem
     from pendula.check._table import Table
@@ -28,6 +30,10 @@ FEW_FILES = 3  # are marked before other processes would have started
 MOST_PROCESSES = 16
 
 EMPTY_FOLDER: Text = ("{0!r} holds no files to mark", "{0!r} no tiene ficheros que corregir")
+FAILED: Text = (
+    "{0!r} could not be marked, which is a mistake of this program: {1}",
+    "no se ha podido corregir {0!r}, y es un error de este programa: {1}",
+)
 ENDED: Text = ("a process that marks files was ended from outside", "se ha terminado desde fuera un proceso que corregía")
 
 
@@ -155,10 +161,18 @@ def _named(paths: Sequence[str]) -> list[tuple[str, str]]:
 def mark_file(task: Task, name: str, path: str) -> Student:
     """A student's file, marked; or why it cannot be."""
     try:
-        tables = read_file(path)
+        with np.errstate(all="ignore"):  # that numbers overflow is no news of a table that means ill
+            return _marked(task, name, path)
     except UnreadableError as error:
         assert error.text is not None
-        return Student(name, path, [], [], unreadable=UnreadableReason(error.name, error.text, error.values))
+        unreadable = UnreadableReason(error.name, error.text, error.values)
+    except Exception as error:  # one file must not lose the class
+        unreadable = UnreadableReason("failed", FAILED, (path, f"{type(error).__name__}: {error}"))
+    return Student(name, path, [], [], unreadable=unreadable)
+
+
+def _marked(task: Task, name: str, path: str) -> Student:
+    tables = read_file(path)
     matched, spare = match(task.problems, tables)
     # Tables in another order than the problems: those that are not where they would be in order.
     at = {id(table): place for place, table in enumerate(tables, start=1)}
@@ -188,39 +202,49 @@ def mark_all(task: Task, entries: Sequence[tuple[str, str]]) -> list[Student]:
     workers = min(os.cpu_count() or 1, len(entries), MOST_PROCESSES)
     is_alone = workers < 2 or len(entries) <= FEW_FILES or any(path == "-" for _, path in entries)
     pool = None if is_alone else _pool(workers)
-    students = []
     if pool is None:
+        students = []
         for place, (name, path) in enumerate(entries):
             _count(place, len(entries))
             students.append(mark_file(task, name, path))
         _count(len(entries), len(entries))
         return students
-    with pool:
-        before = signal.signal(signal.SIGINT, signal.SIG_IGN)  # inherited by the processes, until their own first call
-        try:
+    try:
+        with _without_ctrl_c():
             futures = [pool.submit(mark_file, task, *entry) for entry in entries]
-        finally:
-            signal.signal(signal.SIGINT, before)
-        try:
-            for place, future in enumerate(as_completed(futures), start=1):
-                future.result()
-                _count(place, len(entries))
-            return [future.result() for future in futures]
-        except BrokenProcessPool:
-            raise RefusedError(BAD_USAGE, ENDED) from None
-        finally:
-            pool.shutdown(wait=False, cancel_futures=True)
+        for place, future in enumerate(as_completed(futures), start=1):
+            future.result()
+            _count(place, len(entries))
+        return [future.result() for future in futures]
+    except BrokenProcessPool:
+        raise RefusedError(BAD_USAGE, ENDED) from None
+    except BaseException:
+        for process in active_children():
+            process.terminate()
+        raise
+    finally:
+        pool.shutdown(cancel_futures=True)
 
 
 def _pool(workers: int) -> ProcessPoolExecutor | None:
-    """Processes that are started anew and not forked, for the core has threads; None where the system has none to give.
-
-    They leave Ctrl-C to this process, which ends them.
-    """
+    """Processes that are started anew and not forked, for the core has threads; None where the system has none to give."""
     try:
         return ProcessPoolExecutor(workers, get_context("spawn"), signal.signal, (signal.SIGINT, signal.SIG_IGN))
     except (ImportError, NotImplementedError, OSError):
         return None
+
+
+@contextmanager
+def _without_ctrl_c() -> Iterator[None]:
+    """Processes started in here leave Ctrl-C to this one, which ends them, also before they have come to ignore it."""
+    if sys.platform == "win32":
+        yield
+        return
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
 def _count(done: int, files: int) -> None:

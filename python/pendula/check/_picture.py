@@ -24,6 +24,7 @@ if TYPE_CHECKING:
 MOST_MARKS = 250  # beyond, circles would hide each other
 MOST_POINTS = 2000  # of a table; more are no finer on a page
 POINTS_PER_PERIOD, MOST_PERIODS = 120, 40  # of the right curve; beyond, it is drawn through the table's times
+LATEST = 1e6  # periods; later, the closed form need not know the phase
 FARTHEST = 100  # times the right values' extent; what is farther off is outside of the picture
 WIDE = np.pi / 2  # angles beyond are shown in the whole turn
 
@@ -83,7 +84,7 @@ def _canvas() -> Canvas:
     style: dict[str, Any] = {"linestyle": "", "markersize": 2.5}
     (theta_off,) = off.plot([], [], color=BLUE, marker="o", label="θ", **style)
     (omega_off,) = off.plot([], [], color=ORANGE, marker="^", label="ω", **style)
-    off.legend(loc="upper left", ncols=2, frameon=False, borderaxespad=0, handlelength=1.2, fontsize=8)
+    off.legend(loc="upper right", ncols=2, frameon=False, borderaxespad=0, handlelength=1.2, fontsize=8)
     limits = tuple(ax.axvline(0, color=GREY, linestyle=(0, (4, 2))) for ax in (theta, omega, off))
     return Canvas(figure, _panel(theta), _panel(omega), _panel(phase), off, theta_off, omega_off, limits)
 
@@ -146,7 +147,7 @@ def _first_wrong(judgement: Judgement) -> int | None:
 
 def _right(problem: Problem, t: Floats) -> tuple[Floats, Floats, Floats]:
     """Times, angles and velocities of the closed form, with gaps where the angle is wrapped."""
-    until = min(problem.until, 2 * float(np.abs(t).max()) or problem.until)
+    until = min(problem.until, 2 * float(np.abs(t).max()) or problem.until, LATEST * problem.tau)
     periods = until / problem.tau
     if periods <= MOST_PERIODS:
         t = np.linspace(0, until, int(np.ceil(periods * POINTS_PER_PERIOD)) + 2)

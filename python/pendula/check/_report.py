@@ -23,6 +23,7 @@ if TYPE_CHECKING:
 Json: TypeAlias = "Mapping[str, Json] | Sequence[Json] | float | str | None"
 
 MOST_TITLES = 3  # on a student's line
+MOST_ALIGNED = 32  # letters of a name; longer ones push their own lines only
 MOST_DIGITS = 17  # that tell any two doubles apart
 
 TEXTS: dict[str, Text] = {
@@ -140,7 +141,7 @@ def class_as_text(students: Sequence[Student], terms: Terms) -> str:
             (*row[:3], f"{terms.scale.of_student(each, terms.strict):.4g}", row[3])
             for row, each in zip(rows, students, strict=True)
         ]
-    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+    widths = [min(max(map(len, column)), MOST_ALIGNED) for column in zip(*rows, strict=True)]
     widths[-1] = 0
     lines = ["  ".join(map(str.ljust, row, widths)).rstrip() for row in rows]
     return "\n".join(lines) + f"\n{count_line(students, terms)}\n"

@@ -6,11 +6,12 @@ from importlib.util import find_spec
 from pathlib import Path
 
 from pendula._command import BAD_USAGE, DONE, NO_MATPLOTLIB, TEXTS, Command, Option, RefusedError, Text, run, write
+from pendula.check import _pages
 from pendula.check import _report as report
 from pendula.check._class import Task, files, mark_all
 from pendula.check._page import prepare, write_file, write_pages
-from pendula.check._scale import read_scale, require_names
-from pendula.check._seam import as_text, names, page, problems
+from pendula.check._scale import read_scale
+from pendula.check._seam import problems
 
 CHECK = Command(
     "pendula check",
@@ -67,11 +68,11 @@ CHECK = Command(
             ),
             "N",
         ),
-        Option("--scale", ("what findings cost, in TOML", "lo que cuesta cada hallazgo, en TOML"), "FILE"),
-        Option("--explain", ("show the page of a finding and end", "muestra la página de un hallazgo y termina"), "NAME"),
+        Option("--scale", ("what findings cost, in TOML", "lo que cuesta cada diagnóstico, en TOML"), "FILE"),
+        Option("--explain", ("show the page of a finding and end", "muestra la página de un diagnóstico y termina"), "NAME"),
         Option(
             "--list",
-            ("show the findings' names and titles and end", "muestra los nombres y títulos de los hallazgos y termina"),
+            ("show the findings' names and titles and end", "muestra los nombres y títulos de los diagnósticos y termina"),
         ),
     ),
 )
@@ -90,13 +91,12 @@ def _check(given: dict[str, str], words: list[str], lang: str) -> int:
         if word.startswith("-") and word != "-":
             raise RefusedError(BAD_USAGE, TEXTS["unknown option"], word, CHECK.name)
     if "--explain" in given:
-        name = given["--explain"]
-        require_names([name])
-        write(as_text(page(name, lang)))
+        write(_pages.as_text(_pages.page(given["--explain"], lang)))
         return DONE
     if "--list" in given:
-        width = max(map(len, names()))
-        write("".join(f"{name.ljust(width)}  {page(name, lang).title}\n" for name in names()))
+        names = _pages.names()
+        width = max(map(len, names))
+        write("".join(f"{name.ljust(width)}  {_pages.page(name, lang).title}\n" for name in names))
         return DONE
     if not words or "--input" not in given:
         raise RefusedError(BAD_USAGE, MISSING, "--input" if words else "TABLE")

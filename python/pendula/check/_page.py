@@ -7,11 +7,13 @@ import os
 import re
 from html import escape
 from pathlib import Path
+from textwrap import dedent
 from typing import TYPE_CHECKING
 
 from pendula._command import BAD_USAGE, NOT_WRITTEN, RefusedError, Text, say
+from pendula.check import _pages
 from pendula.check._report import column_lines, count_line, finding_lines, reason, titles
-from pendula.check._seam import ERROR, page
+from pendula.check._seam import ERROR
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
@@ -34,9 +36,6 @@ TEXTS: dict[str, Text] = {
     "often": ("What was found most often", "Lo que más se ha visto"),
     "students": ("{0} of {1} files", "{0} de {1} ficheros"),
     "meaning": ("What it means", "Qué significa"),
-    "looks": ("What it looks like", "Cómo se ve"),
-    "why": ("Why", "Por qué"),
-    "find": ("How to find it", "Cómo encontrarlo"),
     "picture": (
         "Angle and velocity against time, and phase space: the table over what is right",
         "Ángulo y velocidad frente al tiempo, y espacio de fases: la tabla sobre lo correcto",
@@ -53,7 +52,8 @@ TAKEN = ("index", "con", "prn", "aux", "nul", *(f"{port}{digit}" for port in ("c
 STYLE = """
 body { font: 16px/1.5 system-ui, sans-serif; max-width: 62rem; margin: 2rem auto; padding: 0 1rem; color: #222; }
 h1 { margin-bottom: 0; } h2 { border-top: 1px solid #ccc; padding-top: 1rem; margin-top: 2rem; }
-img { width: 100%; } pre, .find { white-space: pre-wrap; } .find { font: 14px/1.5 ui-monospace, monospace; }
+h3 { margin: 2rem 0 0; } h4 { margin: 1rem 0 0; color: #666; } h4 + p { margin-top: 0; }
+img { width: 100%; } pre { white-space: pre-wrap; background: #f5f5f5; padding: .5rem 1rem; }
 table { border-collapse: collapse; } th, td { text-align: left; padding: .25rem .75rem; border-bottom: 1px solid #ddd; }
 .right { color: #00704f; } .wrong { color: #b34700; } .unreadable, .remark, .fit { color: #666; } .fit { font-size: 14px; }
 @media print { body { margin: 0; max-width: none; } section { break-inside: avoid; } }
@@ -181,11 +181,12 @@ def _findings(findings: Sequence[Finding], digits: int, terms: Terms) -> str:
 
 def _explained(name: str, lang: str) -> str:
     """A finding's page."""
-    found = page(name, lang)
-    parts = [f'<h3 id="{escape(name)}">{escape(found.title)}</h3>']
-    for part in ("looks", "why", "find"):
-        content = escape(getattr(found, part))
-        parts.append(f'<p><b>{escape(say(TEXTS[part], lang))}.</b> <span class="{part}">{content}</span></p>')
+    page = _pages.page(name, lang)
+    parts = [f'<h3 id="{escape(name)}">{escape(page.title)}</h3>']
+    for part, text in (("looks", page.looks), ("why", page.why), ("find", page.find)):
+        parts.append(f"<h4>{escape(say(_pages.TEXTS[part], lang))}</h4>")
+        for is_code, block in _pages.blocks(text):
+            parts.append(f"<pre>{escape(dedent(block))}</pre>" if is_code else f"<p>{escape(block)}</p>")
     return f"<section>{''.join(parts)}</section>"
 
 
@@ -209,7 +210,7 @@ def class_page(students: Sequence[Student], names: Sequence[str], terms: Terms) 
         rows.append("".join(f"<td>{cell}</td>" for cell in cells))
     table = f"<tr>{''.join(f'<th>{head}</th>' for head in heads)}</tr>" + "".join(f"<tr>{row}</tr>\n" for row in rows)
     often = "".join(
-        f"<li>{escape(page(name, terms.lang).title)}: {text('students', count, len(students))}</li>"
+        f"<li>{escape(_pages.page(name, terms.lang).title)}: {text('students', count, len(students))}</li>"
         for name, count in _often(students)
     )
     title = say(TEXTS["class"], terms.lang)

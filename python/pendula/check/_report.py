@@ -9,7 +9,8 @@ import math
 from typing import TYPE_CHECKING, NamedTuple, TypeAlias
 
 from pendula._command import DONE, say
-from pendula.check._seam import ERROR, page, says
+from pendula.check import _pages
+from pendula.check._seam import ERROR
 from pendula.check._table import ROLES, WORDS
 
 if TYPE_CHECKING:
@@ -68,9 +69,9 @@ class Terms(NamedTuple):
 
     def message(self, finding: Finding, digits: int) -> str:
         """A finding in words: what it is, what else it may be, where it shows."""
-        text = says(finding.name, self.lang, finding.values, digits)
+        text = _pages.say(finding.name, self.lang, finding.values, digits)
         for each in finding.alternatives:
-            text += self.line("or", says(each.name, self.lang, each.values, digits))
+            text += self.line("or", _pages.say(each.name, self.lang, each.values, digits))
         return text + (self._place(finding.where, digits) if finding.where else "")
 
     def _place(self, where: Where, digits: int) -> str:
@@ -165,7 +166,7 @@ def titles(student: Student, terms: Terms) -> str:
     shorts = []
     for name, problems in found.items():
         places = "" if len(problems) == len(student.marks) or not any(problems) else f" ({', '.join(map(str, problems))})"
-        shorts.append(page(name, terms.lang).title + places)
+        shorts.append(_pages.page(name, terms.lang).title + places)
     return "; ".join(shorts[:MOST_TITLES]) + ("; …" if len(shorts) > MOST_TITLES else "")
 
 

@@ -4,15 +4,15 @@ from __future__ import annotations
 
 import math
 import tomllib
-from difflib import get_close_matches
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from pendula._command import BAD_USAGE, RefusedError, Text
-from pendula.check._seam import ERROR, names
+from pendula._command import BAD_USAGE, LANGUAGES, RefusedError, Text
+from pendula.check._pages import page
+from pendula.check._seam import ERROR
 from pendula.check._table import opened
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Mapping
+    from collections.abc import Mapping
 
     from pendula.check._class import Mark, Student
     from pendula.check._seam import Finding
@@ -22,8 +22,6 @@ TEXTS: dict[str, Text] = {
     "not toml": ("{0!r} is no scale: {1}", "{0!r} no es una escala: {1}"),
     "no number": ("{0!r}: {1} must be a number, 0 or larger", "{0!r}: {1} debe ser un número, 0 o mayor"),
     "unknown": ("{0!r}: there is no {1!r} in a scale; it has {2}", "{0!r}: en una escala no hay {1!r}; tiene {2}"),
-    "no finding": ("there is no finding {0!r}", "no hay ningún hallazgo {0!r}"),
-    "near": ("there is no finding {0!r}; did you mean {1}?", "no hay ningún hallazgo {0!r}; ¿quieres decir {1}?"),
 }
 
 
@@ -74,7 +72,8 @@ def _read(path: str) -> dict[str, Any]:
         if name not in Scale._fields:
             raise RefusedError(BAD_USAGE, TEXTS["unknown"], path, name, ", ".join(Scale._fields))
         if name == "findings" and isinstance(value, dict):
-            require_names(value)
+            for each in value:
+                page(each, LANGUAGES[0])  # refuses a name that no finding has
             _require_numbers(path, value)
         else:
             _require_numbers(path, {name: value})
@@ -92,12 +91,3 @@ def _number(text: str) -> float:
         return float(text)
     except ValueError:
         return math.nan
-
-
-def require_names(given: Iterable[str]) -> None:
-    """Refuses names that no finding has, and tells the nearest that there are."""
-    known = names()
-    for name in given:
-        if name not in known:
-            near = get_close_matches(name, known)
-            raise RefusedError(BAD_USAGE, TEXTS["near" if near else "no finding"], name, ", ".join(near))

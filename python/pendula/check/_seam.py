@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import string
 from typing import TYPE_CHECKING, NamedTuple
 
-from pendula._command import BAD_DATA, RefusedError, say, solve
-from pendula.check import _findings, _judge
+from pendula._command import BAD_DATA, RefusedError, solve
+from pendula.check import _judge
 from pendula.check._problem import Deviation, asked
 from pendula.check._table import UnreadableError, columns_at, opened, placements
 
@@ -18,17 +17,20 @@ if TYPE_CHECKING:
     from pendula.check._table import Columns, Table
 
 REMARK, ERROR = "remark", "error"
-OWN = {
-    "table_spare": (
-        "The table that begins in line {line} belongs to no problem.",
-        "La tabla que empieza en la línea {line} sobra.",
-    ),
-    "tables_exchanged": (
-        "The table of problem {problem} comes in place {place}: the tables are in another order.",
-        "La tabla del problema {problem} está en el lugar {place}: las tablas están en otro orden.",
-    ),
+RENAMED = {
+    "straightened": "linear",
+    "other_sign_of_omega0": "omega0_sign",
+    "other_sign_of_theta0": "theta0_sign",
+    "root_of_alpha": "alpha_root",
+    "square_of_alpha": "alpha_square",
+    "alpha_of_1": "alpha_unused",
+    "a_step_late": "step_late",
+    "a_step_early": "step_early",
+    "a_row_late": "row_late",
+    "a_row_early": "row_early",
+    "series_not_begun": "period_first_term",
+    "times": "times_off",
 }
-TEXTS = {name.replace(" ", "_"): text for name, text in _findings.FINDINGS.items()} | OWN
 
 
 class Where(NamedTuple):
@@ -52,15 +54,6 @@ class Judgement(NamedTuple):
     deviations: dict[str, Deviation]
     columns: Columns | None
     digits: int
-
-
-class Page(NamedTuple):
-    name: str
-    title: str
-    says: str
-    looks: str
-    why: str
-    find: str
 
 
 class Problem(NamedTuple):
@@ -91,41 +84,12 @@ def judge(problem: Problem, table: Table) -> Judgement:
     findings = []
     for name, values, severity in found.findings:
         where = Where(**{key: values[key] for key in Where._fields}) if "column" in values else None  # type: ignore[arg-type]
-        findings.append(Finding(name.replace(" ", "_"), values, severity, where))
+        new = name.replace(" ", "_")
+        values = {"factor": "?", "order": "?", "energy": "grows"} | values
+        findings.append(Finding(RENAMED.get(new, new), values, severity, where))
     return Judgement(findings, found.deviations, columns, columns.digits if columns else 6)
 
 
 def match(problems: Sequence[Problem], tables: Sequence[Table]) -> tuple[list[Table | None], list[Table]]:
     few = [None] * (len(problems) - len(tables))
     return [*tables[: len(problems)], *few], list(tables[len(problems) :])
-
-
-def names() -> list[str]:
-    return list(TEXTS)
-
-
-def page(name: str, lang: str) -> Page:
-    text = say(TEXTS[name], lang, **dict.fromkeys(_fields(TEXTS[name][0]), _Blank())).split(".")[0]
-    return Page(name, text, text, f"looks of {name}", f"why <{name}>", "int a = 1 / 6;  // <b>")
-
-
-def as_text(page: Page) -> str:
-    return "\n\n".join(page) + "\n"
-
-
-def says(name: str, lang: str, values: Mapping[str, Value], digits: int) -> str:
-    shown = {key: f"{value:.{digits}g}" if isinstance(value, float) else value for key, value in values.items()}
-    en, es = (text.replace(":.6g", "").replace(":.2g", "") for text in TEXTS[name])
-    return say((en, es), lang, **shown, regime=shown.get("k")).split(" First in")[0].split(" Se ve primero")[0]
-
-
-def _fields(text: str) -> list[str]:
-    return [name for _, name, _, _ in string.Formatter().parse(text) if name]
-
-
-class _Blank:
-    def __format__(self, spec: str) -> str:
-        return "…"
-
-    def __repr__(self) -> str:
-        return "…"

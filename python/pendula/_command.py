@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import shutil
+import signal
 import subprocess
 import sys
 import sysconfig
@@ -49,6 +50,11 @@ TEXTS: dict[str, Text] = {
         "el programa pendula no está entre los de este Python ni en PATH",
     ),
 }
+
+NO_MATPLOTLIB: Text = (
+    "matplotlib is missing; install it with: pip install 'pendula[plot]'",
+    "falta matplotlib; instálalo con: pip install 'pendula[plot]'",
+)
 
 
 def say(text: Text, lang: str, *values: object, **named: object) -> str:
@@ -103,6 +109,7 @@ def run(command: Command, work: Callable[[dict[str, str], list[str], str], int])
             tell(f"{command.name}: {say(refused.text, lang, *refused.values)}")
         return refused.status
     except KeyboardInterrupt:
+        signal.signal(signal.SIGINT, signal.SIG_IGN)  # once is enough: what is left is to end
         return INTERRUPTED
     return DONE
 

@@ -1,4 +1,4 @@
-"""What is said of each finding, and its page: what it looks like, why, how to find it in code. The texts are in findings.*.toml."""
+"""What is said of each finding, and its page; the texts are in findings.en.toml and findings.es.toml."""
 
 from __future__ import annotations
 
@@ -10,27 +10,35 @@ from importlib import resources
 from textwrap import fill
 from typing import TYPE_CHECKING, NamedTuple, TypeAlias
 
-from pendula._command import BAD_USAGE, RefusedError, Text, say as say_text
+from pendula import _command
+from pendula._command import BAD_USAGE, RefusedError, Text
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Iterator, Mapping
 
 Value: TypeAlias = float | int | str
 
 WIDTH = 80
-CODE = "    "  # what lines of code begin with; other lines of a text are paragraphs, apart by an empty line
+INDENT = "    "  # what lines of code begin with
 
 TEXTS: dict[str, Text] = {
     "unknown": ("there is no finding {0!r}", "no hay ningún diagnóstico {0!r}"),
-    "nearest": ("there is no finding {0!r}; is it {1}?", "no hay ningún diagnóstico {0!r}; ¿es {1}?"),
+    "nearest": ("there is no finding {0!r}; is it {1!r}?", "no hay ningún diagnóstico {0!r}; ¿es {1!r}?"),
     "looks": ("What it looks like", "Cómo se ve"),
     "why": ("Why", "Por qué"),
     "find": ("How to find it", "Cómo encontrarlo"),
 }
 
+ENERGY: dict[Value, Text] = {
+    "grows": ("grows", "crece"),
+    "falls": ("falls", "baja"),
+    "kept": ("is kept", "se conserva"),
+    "swings": ("swings", "sube y baja"),
+}
+
 
 class Page(NamedTuple):
-    """A finding's texts in a language."""
+    """A finding's texts."""
 
     name: str
     title: str
@@ -43,21 +51,16 @@ class Page(NamedTuple):
     """Why physics, or arithmetic, says so."""
     find: str
     """How to find it in code."""
-
-
-@cache
-def _pages(lang: str) -> dict[str, Page]:
-    text = resources.files("pendula.check").joinpath(f"findings.{lang}.toml").read_text("utf-8")
-    return {name: Page(name, **{field: each.strip("\n") for field, each in texts.items()}) for name, texts in tomllib.loads(text).items()}
+    lang: str
 
 
 def names() -> tuple[str, ...]:
-    """Of all findings."""
+    """Of all findings, in the order of the parts of a program."""
     return tuple(_pages("en"))
 
 
 def page(name: str, lang: str) -> Page:
-    """A finding's page. Raises RefusedError, with the name that is nearest, for one that there is not."""
+    """A finding's page. Raises RefusedError, with the nearest name, where there is none."""
     pages = _pages(lang)
     if name not in pages:
         nearest = get_close_matches(name, pages, n=1)
@@ -65,20 +68,37 @@ def page(name: str, lang: str) -> Page:
     return pages[name]
 
 
+@cache
+def _pages(lang: str) -> dict[str, Page]:
+    text = resources.files("pendula.check").joinpath(f"findings.{lang}.toml").read_text("utf-8")
+    return {name: Page(name, **fields, lang=lang) for name, fields in tomllib.loads(text).items()}
+
+
 def say(name: str, lang: str, values: Mapping[str, Value], digits: int) -> str:
     """A finding in words; its floats have so many significant digits."""
-    shown = {key: f"{value:.{digits}g}" if isinstance(value, float) else value for key, value in values.items()}
+    shown: dict[str, Value] = {
+        key: f"{value:.{digits}g}" if isinstance(value, float) else value for key, value in values.items()
+    }
+    if "energy" in shown:
+        shown["energy"] = _command.say(ENERGY[shown["energy"]], lang)
     return page(name, lang).says.format_map(shown)
 
 
-def as_text(page: Page, lang: str) -> str:
+def blocks(text: str) -> Iterator[tuple[bool, str]]:
+    """The parts of a page's text: whether each is code, and the code's lines or the paragraph in one line."""
+    for block in text.strip("\n").split("\n\n"):
+        is_code = block.startswith(INDENT)
+        yield is_code, block if is_code else " ".join(block.split())
+
+
+def as_text(shown: Page) -> str:
     """A page for the terminal, with dots for the values that a finding would have."""
-    says = page.says.format_map(defaultdict(lambda: "…"))
-    blocks = [f"{page.name}: {page.title}", says]
-    for field in ("looks", "why", "find"):
-        blocks += [say_text(TEXTS[field], lang).upper(), *getattr(page, field).split("\n\n")]
-    return "\n\n".join(block if block.startswith(CODE) else _filled(block) for block in blocks) + "\n"
+    parts = [f"{shown.name}: {shown.title}", _wrapped(shown.says.format_map(defaultdict(lambda: "…")))]
+    for heading, text in (("looks", shown.looks), ("why", shown.why), ("find", shown.find)):
+        parts.append(_command.say(TEXTS[heading], shown.lang).upper())
+        parts += [block if is_code else _wrapped(block) for is_code, block in blocks(text)]
+    return "\n\n".join(parts) + "\n"
 
 
-def _filled(paragraph: str) -> str:
+def _wrapped(paragraph: str) -> str:
     return fill(paragraph, WIDTH, break_long_words=False, break_on_hyphens=False)

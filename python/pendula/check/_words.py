@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import unicodedata
+from functools import lru_cache
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -48,6 +49,7 @@ def roles_of(header: Sequence[str]) -> dict[str, int]:
     return places
 
 
+@lru_cache(maxsize=4096)
 def role_of(word: str) -> str:
     """What a word names: one of ROLES, "x", "y", "other" for quantities that are none of these, and "" for unknown words."""
     decomposed = unicodedata.normalize("NFD", word.lower()[:60])
@@ -84,7 +86,7 @@ PROMPT = re.compile(
     re.IGNORECASE,
 )
 PAIRED_QUOTES = re.compile(r"^([\"'])(.*)\1$")
-LONGEST_HEADER = 600  # letters
+LONGEST_HEADER = 400  # letters
 
 
 def headers_of(line: str) -> tuple[tuple[str, ...], ...]:

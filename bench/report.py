@@ -18,7 +18,7 @@ import time
 from pathlib import Path
 
 import programs
-from tables import TABLES, limits_table, ratio_table
+from tables import TABLES, limits_table, ratio_table, tolerances_table
 
 PEERS = ("peers", "peers_taylor", "python_bench")
 
@@ -119,6 +119,7 @@ def page(best, facts, rounds):
     ]
     for table in TABLES:
         lines += ["", *ratio_table(table, best, facts)]
+    lines += ["", *tolerances_table(best, facts)]
     lines += ["", *limits_table(best, facts)]
     return "\n".join(lines) + "\n"
 

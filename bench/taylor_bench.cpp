@@ -1,8 +1,9 @@
-// Benchmarks of Taylor's method at a tolerance of 1e-15, for one trajectory and for ensembles. The peer, heyoka, is in
-// peers_taylor.py. An item is a unit of time of one trajectory.
+// Benchmarks of Taylor's method for one trajectory and for ensembles: at a tolerance of 1e-15, with the peer heyoka in
+// peers_taylor.py, and at looser ones. An item is a unit of time of one trajectory.
 #include <benchmark/benchmark.h>
 
 #include <bit>
+#include <cstdlib>
 #include <string>
 #include <vector>
 
@@ -15,7 +16,7 @@ namespace {
 
 using namespace pendula;
 
-constexpr double span = 100, tolerance = 1e-15, released = 1.5;
+constexpr double span = 100, tightest = 1e-15, released = 1.5;
 constexpr std::size_t members = 256;
 
 struct Run {
@@ -27,7 +28,7 @@ constexpr Run runs[] = {{"undamped", {}},
                         {"driven", {.alpha = 1, .beta = 0.5, .drive_amplitude = 1.15, .drive_frequency = 2.0 / 3}}};
 
 /// The multiplications and additions that a unit of time needs: those of a step divided by its length.
-void count_operations(benchmark::State& state, const Run& run) {
+void count_operations(benchmark::State& state, const Run& run, double tolerance) {
     using bench::Counted;
     const auto d = kernels::taylor_pendulum(std::bit_cast<kernels::Parameters<double>>(run.pendulum));
     const kernels::TaylorPendulum<Counted> k{
@@ -39,8 +40,11 @@ void count_operations(benchmark::State& state, const Run& run) {
     step.start.omega = 0.3;
     step.t = 7.7;
     Counted::trace.clear();
-    expand(k, control, step, cosine);
-    move_to_end(step);
+    kernels::with_order(control.order, [&](auto order) {
+        kernels::expand<order.value>(k, step, cosine);
+        kernels::set_length<order.value>(step, kernels::log2_length_of<order.value, Counted>(step, control.log2_fraction));
+        kernels::move_to_end<order.value>(step);
+    });
     const auto done = bench::operations_behind({step.start.theta, step.start.omega, step.start.theta_lo, step.start.omega_lo});
     // The length of a step is the mean over a whole run.
     auto trajectory = make_taylor(run.pendulum, {released, 0}, tolerance);
@@ -51,7 +55,7 @@ void count_operations(benchmark::State& state, const Run& run) {
 }
 
 /// The largest error over the driven pendulums of the reference table, up to t = 50.
-double largest_error() {
+double largest_error(double tolerance) {
     reference::Largest largest;
     Taylor run;
     for (const auto& r : reference::table("driven.txt")) {
@@ -67,17 +71,17 @@ double largest_error() {
     return largest.value;
 }
 
-void one(benchmark::State& state, const Run& run) {
+void one(benchmark::State& state, const Run& run, double tolerance) {
     for (auto _ : state) {
         auto trajectory = make_taylor(run.pendulum, {released, 0}, tolerance);
         while (!reaches(trajectory, span)) step(trajectory);
         benchmark::DoNotOptimize(at(trajectory, span));
     }
     state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(span));
-    state.counters["error"] = largest_error();
+    state.counters["error"] = largest_error(tolerance);
 }
 
-void ensemble(benchmark::State& state, const Run& run) {
+void ensemble(benchmark::State& state, const Run& run, double tolerance) {
     std::vector<double> theta(members), end(members), speed(members), turns(members);
     for (std::size_t i = 0; i < members; ++i) theta[i] = released + static_cast<double>(i) / members;
     const Ensemble e = bench::ensemble_of(run.pendulum, theta);
@@ -88,14 +92,21 @@ void ensemble(benchmark::State& state, const Run& run) {
         benchmark::ClobberMemory();
     }
     state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(span) * static_cast<std::int64_t>(members));
-    count_operations(state, run);
-    state.counters["error"] = largest_error();
+    count_operations(state, run, tolerance);
+    state.counters["error"] = largest_error(tolerance);
 }
 
 [[maybe_unused]] const bool is_registered = [] {
+    const auto add = [](const std::string& name, auto* benchmark, const Run& run, double tolerance) {
+        benchmark::RegisterBenchmark((name + run.name + "/pendula").c_str(), benchmark, run, tolerance);
+    };
     for (const Run& run : runs) {
-        benchmark::RegisterBenchmark((std::string("taylor_") + run.name + "/pendula").c_str(), one, run);
-        benchmark::RegisterBenchmark((std::string("taylor_ensemble_") + run.name + "/pendula").c_str(), ensemble, run);
+        add("taylor_", one, run, tightest);
+        add("taylor_ensemble_", ensemble, run, tightest);
+        for (const char* tolerance : {"1e-15", "1e-12", "1e-10", "1e-9", "1e-8", "1e-6", "1e-4"}) {
+            add(std::string("tolerance_") + tolerance + "_", one, run, std::strtod(tolerance, nullptr));
+            add(std::string("tolerance_") + tolerance + "_ensemble_", ensemble, run, std::strtod(tolerance, nullptr));
+        }
     }
     return true;
 }();

@@ -1,10 +1,13 @@
 #include <unistd.h>
 
+#include <cmath>
+
 #include "cli/commands.hpp"
 #include "cli/reading.hpp"
 #include "cli/sweep.hpp"
 #include "cli/terminal.hpp"
 #include "cli/writing.hpp"
+#include "pendula/angle.hpp"
 
 namespace pendula::cli {
 
@@ -19,6 +22,8 @@ struct Analyzer {
 
 double read_epsilon(const Options& options) {
     constexpr const char* words[] = {"agm", "series"};
+    if (is_given(options, "--tau"))
+        for (const auto* name : {"--method", "--epsilon"}) refuse_both(options, "--tau", name);
     if (choice(options, "--method", words) == 1) return number_of(options, "--epsilon", Rule::fraction, 1e-7);
     if (is_given(options, "--epsilon"))
         throw bad_usage({"{0} does not go with --method {1}", "{0} no va con --method {1}"}, {"--epsilon", "agm"});
@@ -44,13 +49,13 @@ Analysis analyze_one(Analyzer& analyzer, const Pendulum& pendulum, State initial
 }
 
 /// The columns of analyses behind those of the ranges.
-std::vector<std::string_view> columns_behind(std::vector<std::string_view> names) {
+std::vector<std::string> columns_behind(std::vector<std::string> names) {
     names.insert(names.end(), {"k", "thetaM", "tau"});
     return names;
 }
 
 /// Opens the output, the first time, once there is something to be written.
-void open_output(Analyzer& analyzer, const std::vector<std::string_view>& names) {
+void open_output(Analyzer& analyzer, const std::vector<std::string>& names) {
     if (analyzer.writer.descriptor >= 0) return;
     open(analyzer.writer);
     if (analyzer.style.format == Format::csv) append(analyzer.writer, header_line(names, Format::csv));
@@ -66,9 +71,29 @@ char* put_analysis(char* at, const RowStyle& style, const Analysis& analysis) {
     return put_text(put_field(at, style, field + 2, analysis.tau), style.end);
 }
 
+/// Refuses a period that no amplitude has.
+void require_periods(const Sweep& sweep) {
+    for (std::size_t member = 0; sweep.has_tau && member < sweep.size; ++member) {
+        if (is_interrupted()) throw Failure{Status::interrupted, {}};
+        const double alpha = pendulum_of(sweep, member).alpha;
+        if (!std::isnan(initial_state_of(sweep, member).theta)) continue;
+        throw bad_usage({"{0}--tau must be at least {1} s, the period 2π/√α of small swings",
+                         "{0}--tau debe ser al menos {1} s, el periodo 2π/√α de las oscilaciones pequeñas"},
+                        {place_of(sweep, member), shown(2 * pi / std::sqrt(alpha), full)});
+    }
+}
+
+/// The analysis of a member: of its initial state, or of the amplitude with its period.
+Analysis analyze_member(Analyzer& analyzer, const Sweep& sweep, std::size_t member, Proceed proceed) {
+    const State initial = initial_state_of(sweep, member);
+    if (sweep.has_tau) return {Regime::oscillation, initial.theta, tau_of(sweep, member)};
+    return analyze_one(analyzer, pendulum_of(sweep, member), initial, {}, proceed);
+}
+
 void analyze_sweep(Analyzer& analyzer, const Sweep& sweep) {
     constexpr std::size_t row_room = (swept_count + 4) * field_room;
     require_each(sweep, [](const Pendulum& pendulum) { return check(pendulum); });
+    require_periods(sweep);
     const auto names = columns_behind(swept_names(sweep));
     const RowStyle style = row_style(names, analyzer.style);
     std::size_t member = 0;
@@ -77,8 +102,7 @@ void analyze_sweep(Analyzer& analyzer, const Sweep& sweep) {
         return show_and_go_on(progress, (static_cast<double>(member) + fraction) / static_cast<double>(sweep.size));
     };
     for (; member < sweep.size; ++member) {
-        const Analysis analysis =
-            analyze_one(analyzer, pendulum_of(sweep, member), initial_state_of(sweep, member), {}, proceed);
+        const Analysis analysis = analyze_member(analyzer, sweep, member, proceed);
         open_output(analyzer, names);
         char* const at = room(analyzer.writer, row_room);
         commit(analyzer.writer, put_analysis(put_swept(at, style, sweep, member), style, analysis));

@@ -1,37 +1,15 @@
 #include "pendula/measure.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
 #include <thread>
 
 #include "cli/commands.hpp"
-#include "cli/sweep.hpp"
-#include "cli/terminal.hpp"
-#include "cli/writing.hpp"
+#include "cli/measuring.hpp"
 
 namespace pendula::cli {
 
 namespace {
-
-constexpr std::size_t most_points = std::size_t{1} << 20;    // with a row each, that wait to be printed: 24 MiB
-constexpr std::size_t most_members = 4096;                   // measured before the first of them is printed
-constexpr std::size_t most_compared = std::size_t{1} << 24;  // of a measure that compares its members: 1 GiB
-
-Strobe read_strobe(const MeasureInfo& info, const Options& options) {
-    const auto number = [&](std::string_view name, double otherwise) {
-        return number_of(options, name, Rule::finite, otherwise);
-    };
-    Strobe strobe;
-    strobe.method = method_of(options);
-    strobe.tolerance = tolerance_of(options);
-    strobe.transient = number("--transient", strobe.transient);
-    strobe.periods = number("--periods", info.periods);
-    strobe.steps_per_period = number("--steps", strobe.steps_per_period);
-    strobe.match = number("--match", strobe.match);
-    return strobe;
-}
 
 int read_threads(const Options& options) {
     const double threads = number_of(options, "--threads", Rule::finite, 0);
@@ -42,110 +20,107 @@ int read_threads(const Options& options) {
     return static_cast<int>(threads);
 }
 
-/// A measure of a sweep, from its options to its last row.
-struct Run {
-    const MeasureInfo& info;
-    Sweep sweep;
-    Strobe strobe;
-    int threads;
-    Style style;
-    Writer writer;
-    std::vector<std::size_t> printed = {};  ///< the columns that have a header
-    bool has_points = false;                ///< whether a member has a row for each period
-    RowStyle row_style = {};
-    ProgressLine progress = {};
-    std::size_t done = 0, at_hand = 0;  ///< members printed, and being measured
-    std::size_t lost = 0;               ///< members whose motion left the range of doubles, so that results are nan
-};
-
-std::string json_head(const Run& run) {
-    std::string line = "{\"measure\":" + json_string(run.info.name);
-    const Strobe& strobe = run.strobe;
-    add_member(line, "method", json_string(method_names[static_cast<std::size_t>(strobe.method)]));
-    add_number(line, "transient", strobe.transient);
-    add_number(line, "periods", strobe.periods);
-    if (strobe.method == Method::rk4) add_number(line, "steps", strobe.steps_per_period);
-    if (strobe.method == Method::taylor) add_number(line, "tolerance", strobe.tolerance);
-    if (run.info.measure == Measure::attractors) add_number(line, "match", strobe.match);
-    for (std::size_t i = 0; i < swept_count; ++i) {
-        const Parameter& parameter = swept_parameter(i);
-        const bool is_of_length = i >= parameter_count;
-        if (run.sweep.has_length ? parameter.value == &Pendulum::alpha : is_of_length) continue;
-        const Range& range = run.sweep.values[i];
-        if (!range.is_range) {
-            add_number(line, parameter.name, range.first);
-            continue;
-        }
-        std::string values = "[";
-        values.append(shown(range.first, full)).append(",").append(shown(range.last, full)).append(",");
-        values.append(std::to_string(range.count)).append("]");
-        add_member(line, parameter.name, values);
-    }
-    return line + "}\n";
+/// Refuses a line of members that start from each other, where there is none.
+void require_line(const Run& run) {
+    if (run.sweep.ranges.empty())
+        throw bad_usage({"--carry needs a range to go along, as --torque 0:2:201",
+                         "--carry necesita un rango que recorrer, como --torque 0:2:201"});
+    const Parameter& last = swept_parameter(run.sweep.ranges.back());
+    if (last.initial || last.value == &Pendulum::drive_phase)
+        throw bad_usage({"--carry goes along the last range, and {0} is only where a motion starts; give another range last",
+                         "--carry recorre el último rango, y {0} es solo donde empieza un movimiento; pon otro rango al final"},
+                        {option_of(last.name)});
+    if (run.strobe.plane != Plane::strobe)
+        throw bad_usage({"{0} does not go with --plane {1}", "{0} no va con --plane {1}"},
+                        {"--carry", plane_names[static_cast<std::size_t>(run.strobe.plane)]});
 }
 
-void start_output(Run& run) {
-    auto names = swept_names(run.sweep);
-    for (std::size_t i = 0; i < run.info.columns.size(); ++i) {
-        const ResultColumn& column = run.info.columns[i];
-        if (!column.header) continue;
-        names.push_back(column.header);
-        run.printed.push_back(i);
-        run.has_points |= column.rows == ResultColumn::Rows::periods;
+void read_carry(Run& run, const Options& options) {
+    if (!is_given(options, "--carry")) {
+        if (is_given(options, "--locate"))
+            throw bad_usage({"--locate needs --carry up, down or both", "--locate necesita --carry up, down o both"});
+        return;
     }
-    run.row_style = row_style(names, run.style);
-    open(run.writer);
-    if (run.style.format == Format::json) return append(run.writer, json_head(run));
-    append(run.writer, (run.style.format == Format::text ? "# " : "") + header_line(names, run.style.format));
+    constexpr Carry passes[] = {Carry::up, Carry::down};
+    const std::size_t which = choice(options, "--carry", carried_names);
+    const bool is_both = which == std::size(passes);
+    run.carries.assign(passes + (is_both ? 0 : which), passes + (is_both ? 2 : which + 1));
+    require_line(run);
+    if (!is_given(options, "--locate")) return;
+    for (const auto* name : {"--details", "--shares"}) refuse_both(options, "--locate", name);
+    run.locate = number_of(options, "--locate", Rule::positive, 0);
+    if (run.sweep.ranges.back() >= parameter_count)
+        throw bad_usage({"--locate needs a range of --alpha, not of {0}", "--locate necesita un rango de --alpha, no de {0}"},
+                        {option_of(swept_parameter(run.sweep.ranges.back()).name)});
+}
+
+/// Whether a member with many points can go on from its last one: at a time of the strobe, and no times or turns are printed.
+bool can_go_on(const Run& run) { return run.carries.empty() && run.strobe.plane == Plane::strobe && !run.has_details; }
+
+/// Refuses more members and points than fit in memory where they belong together.
+void require_memory(const Run& run) {
+    if (run.info.compares_members && run.sweep.size > most_together)
+        throw bad_usage({"{0} compares its pendulums and takes at most {1} at once; the ranges make {2}",
+                         "{0} compara sus péndulos y toma a la vez {1} como mucho; los rangos dan {2}"},
+                        {hyphenated(run.info.name), std::to_string(most_together), std::to_string(run.sweep.size)});
+    const double line = run.carries.empty() ? 1 : static_cast<double>(line_of(run));
+    const double rows = line * (run.has_points ? run.strobe.periods : 1);
+    if (!can_go_on(run) && rows > static_cast<double>(most_together))
+        throw bad_usage({"{0} rows are made in one piece, which takes at most {1}; ask for fewer --periods or a shorter range",
+                         "{0} filas se hacen de una vez, y caben {1} como mucho; pide menos --periods o un rango más corto"},
+                        {shown(rows), std::to_string(most_together)});
 }
 
 /// How many members are measured before the first of them is printed: enough for all threads, but no more than some seconds of
-/// steps, nor points than memory is meant for; and all, where they are compared.
+/// steps, nor points than memory is meant for; whole lines, where they are carried; and all, where they are compared.
 std::size_t block_size(const Run& run) {
-    if (run.info.compares_members) return run.sweep.size;
+    constexpr std::size_t most_members = 4096;
     constexpr double most_steps = 1 << 28;
+    if (run.info.compares_members) return run.sweep.size;
     const auto processors = static_cast<std::size_t>(std::max(1u, std::thread::hardware_concurrency()));
     const std::size_t threads = run.threads > 0 ? static_cast<std::size_t>(run.threads) : processors;
-    const double steps = (run.strobe.transient + run.strobe.periods) * run.strobe.steps_per_period;
+    const double points = run.has_points ? run.strobe.periods : 1;
+    const double room = static_cast<double>(most_points) / points;
+    if (!run.carries.empty()) {
+        const double lines = std::min(room / static_cast<double>(line_of(run)), static_cast<double>(16 * threads));
+        return std::max<std::size_t>(1, static_cast<std::size_t>(lines)) * line_of(run);
+    }
+    const double measured = run.strobe.transient + run.strobe.periods;
+    const double steps = (run.has_points ? measured : std::max(measured, run.strobe.budget)) * run.strobe.steps_per_period;
     const auto timely = static_cast<std::size_t>(std::min(most_steps / steps, static_cast<double>(most_members)));
     const std::size_t size = std::clamp(timely, std::min(64 * threads, most_members), most_members);
-    const double room = static_cast<double>(most_points) / run.strobe.periods;
-    return run.has_points && room < static_cast<double>(size) ? std::max<std::size_t>(1, static_cast<std::size_t>(room)) : size;
+    return room < static_cast<double>(size) ? std::max<std::size_t>(1, static_cast<std::size_t>(room)) : size;
 }
 
-/// The results of the members at hand, a column each. Ends the program where it is interrupted.
-std::vector<std::vector<double>> results_of(Run& run, const Ensemble& ensemble, const Strobe& strobe) {
-    std::vector<std::vector<double>> columns;
-    std::vector<std::span<double>> spans;
-    for (const auto& column : run.info.columns)
-        spans.emplace_back(columns.emplace_back(rows_of(column, strobe) * ensemble.size));
-    const auto proceed = [&run](double fraction) {
-        const double members = static_cast<double>(run.done) + fraction * static_cast<double>(run.at_hand);
-        return show_and_go_on(run.progress, members / static_cast<double>(run.sweep.size));
-    };
-    const auto outcome = measure(run.info.measure, ensemble, strobe, std::span<const std::span<double>>(spans),
-                                 {.threads = run.threads, .proceed = proceed});
-    if (outcome.kind == Outcome::Kind::stopped) flush(run.writer);
-    if (outcome.refusal) throw Failure{Status::bad_usage, say(outcome.refusal, name_in_options(run.sweep, outcome.refusal))};
-    if (isatty(run.writer.descriptor)) clear(run.progress);
-    return columns;
+/// The columns in front of the results: which carry, and the ranges.
+std::vector<std::string> names_of(Run& run) {
+    std::vector<std::string> names;
+    if (run.carries.size() == 2) names.emplace_back(carry_setting.name);
+    for (auto& name : swept_names(run.sweep)) names.push_back(std::move(name));
+    for (const std::size_t i : run.printed) {
+        const ResultColumn& column = run.info.columns[i];
+        names.emplace_back(column.header ? column.header : column.name);
+    }
+    return names;
 }
 
 /// The rows of a member at hand, number `i` of the results.
-void append_rows(Run& run, const std::vector<std::vector<double>>& results, std::size_t i, std::size_t first,
-                 std::size_t rows) {
+void append_rows(Run& run, const Columns& results, std::size_t i, std::size_t first, std::size_t rows) {
     for (std::size_t row = first; row < rows; ++row) {
         char* at = room(run.writer, run.row_style.leads.size() * field_room);
-        at = put_swept(at, run.row_style, run.sweep, run.done + i);
-        std::size_t field = run.sweep.ranges.size();
+        std::size_t field = 0;
+        if (run.carries.size() == 2)
+            at = put_word(at, run.row_style, field++, carry_names[static_cast<std::size_t>(run.carries[run.pass])]);
+        at = put_swept(at, run.row_style, run.sweep, run.done + i, field);
+        field += run.sweep.ranges.size();
         for (const std::size_t column : run.printed)
-            at = put_field(at, run.row_style, field++, results[column][row * run.at_hand + i]);
+            at = put_value(at, run.row_style, field++, run.info.columns[column], results[column][row * run.at_hand + i]);
         commit(run.writer, put_text(at, run.row_style.end));
     }
 }
 
 /// Measures the members at hand and prints them one after the other. A single one may have more points than wait to be printed:
-/// it then goes on from its last point, which gives the same bits.
+/// where it can, it then goes on from its last point, which gives the same bits.
 void print_block(Run& run) {
     const Members members = members_of(run.sweep, run.done, run.at_hand);
     Ensemble ensemble = members.ensemble;
@@ -154,25 +129,29 @@ void print_block(Run& run) {
     std::size_t known = 0;  // points at the front that were printed before
     for (double left = run.strobe.periods; left > 0; known = 1) {
         strobe.periods = left + static_cast<double>(known);
-        if (run.has_points) strobe.periods = std::min(strobe.periods, static_cast<double>(room));
+        if (run.has_points && can_go_on(run)) strobe.periods = std::min(strobe.periods, static_cast<double>(room));
         const auto results = results_of(run, ensemble, strobe);
         left -= strobe.periods - static_cast<double>(known);
-        const auto& last_printed = results[run.printed.back()];
-        if (std::isnan(last_printed.back())) left = 0;  // a motion that is lost once stays so
+        if (std::isnan(results[run.printed.back()].back())) left = 0;  // a motion that is lost once stays so
         const std::size_t rows = run.has_points ? static_cast<std::size_t>(strobe.periods) : 1;
         for (std::size_t i = 0; i < run.at_hand; ++i) {
             append_rows(run, results, i, known, rows);
             if (left == 0 && run.style.format == Format::text) append(run.writer, lines_behind(run.sweep, run.done + i));
         }
-        if (left == 0) {
-            const auto ends = std::span(last_printed).last(run.at_hand);
-            run.lost += static_cast<std::size_t>(std::ranges::count_if(ends, [](double x) { return std::isnan(x); }));
-            break;
-        }
+        if (left == 0) return count_gaps(run, results, rows - 1);
         strobe.transient = 0;
         ensemble.theta = results[0].back();
         ensemble.omega = results[1].back();
-        ensemble.drive_phase = 0.0;
+        ensemble.drive_phase = strobe.phase;
+        flush(run.writer);
+    }
+}
+
+void print_pass(Run& run) {
+    run.done = 0;
+    for (const std::size_t size = block_size(run); run.done < run.sweep.size; run.done += run.at_hand) {
+        run.at_hand = std::min(size, run.sweep.size - run.done);
+        (run.locate ? print_jumps : run.has_shares ? print_shares : print_block)(run);
         flush(run.writer);
     }
 }
@@ -180,29 +159,32 @@ void print_block(Run& run) {
 }  // namespace
 
 void measure(const MeasureInfo& info, const Options& options) {
-    Run run{.info = info,
-            .sweep = read_sweep(options),
-            .strobe = read_strobe(info, options),
-            .threads = read_threads(options),
-            .style = style_of(options),
-            .writer = {.path = output_path(options)}};
-    if (info.compares_members && run.sweep.size > most_compared)
-        throw bad_usage({"{0} compares its pendulums and takes at most {1} at once; the ranges make {2}",
-                         "{0} compara sus péndulos y toma a la vez {1} como mucho; los rangos dan {2}"},
-                        {hyphenated(info.name), std::to_string(most_compared), std::to_string(run.sweep.size)});
-    require_each(run.sweep, [&run](const Pendulum& pendulum) { return check(pendulum, run.strobe); });
-    start_output(run);
-    for (const std::size_t size = block_size(run); run.done < run.sweep.size; run.done += run.at_hand) {
-        run.at_hand = std::min(size, run.sweep.size - run.done);
-        print_block(run);
-        flush(run.writer);
+    Sweep sweep = read_sweep(options);
+    const Strobe strobe = read_strobe(info, options);
+    const int threads = read_threads(options);
+    const Style style = style_of(options);
+    Run run{.info = info, .sweep = std::move(sweep), .strobe = strobe, .threads = threads, .style = style};
+    run.writer.path = output_path(options);
+    run.has_details = is_given(options, "--details");
+    run.has_shares = is_given(options, "--shares");
+    refuse_both(options, "--shares", "--details");
+    refuse_both(options, "--shares", "--carry");
+    for (std::size_t i = 0; i < info.columns.size(); ++i) {
+        const ResultColumn& column = info.columns[i];
+        if (column.is_detail && !(run.has_details && is_detail(column))) continue;
+        run.printed.push_back(i);
+        run.has_points |= column.rows == ResultColumn::Rows::periods;
     }
+    read_carry(run, options);
+    require_memory(run);
+    require_each(run.sweep, [&run](const Pendulum& pendulum) { return check(pendulum, run.strobe); });
+    start_output(run, run.locate ? jump_names(run) : run.has_shares ? share_names(run) : names_of(run));
+    do {
+        if (run.pass > 0 && run.style.format == Format::text) append(run.writer, "\n\n");  // gnuplot's index
+        print_pass(run);
+    } while (++run.pass < run.carries.size());
     close(run.writer);
-    if (run.lost > 0)
-        throw Failure{Status::bad_data,
-                      say({"the motion of {0} of {1} pendulums leaves the range of doubles; their results are nan",
-                           "el movimiento de {0} de {1} péndulos se sale del rango de double; sus resultados son nan"},
-                          {std::to_string(run.lost), std::to_string(run.sweep.size)})};
+    tell_gaps(run);
 }
 
 }  // namespace pendula::cli

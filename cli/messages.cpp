@@ -107,9 +107,9 @@ std::string reason(int error) {
     return say({"system error {0}", "error {0} del sistema"}, {std::to_string(error)});
 }
 
-std::string joined(const std::vector<std::string>& words) {
+std::string joined(const std::vector<std::string>& words, std::string_view separator) {
     std::string list;
-    for (const auto& word : words) list.append(list.empty() ? "" : ", ").append(word);
+    for (const auto& word : words) list.append(list.empty() ? "" : separator).append(word);
     return list;
 }
 

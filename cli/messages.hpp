@@ -36,8 +36,8 @@ std::string in_quotes(std::string_view token, std::size_t longest = 40);
 /// Why a system call failed, in the language set.
 std::string reason(int error);
 
-/// The words with commas between them.
-std::string joined(const std::vector<std::string>& words);
+/// The words with commas, or another separator, between them.
+std::string joined(const std::vector<std::string>& words, std::string_view separator = ", ");
 
 /// The name that is the fewest typing slips away from `typed`, or else the first that ends in it; empty where there is none.
 std::string nearest(std::string_view typed, const std::vector<std::string>& names);

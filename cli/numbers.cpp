@@ -5,24 +5,29 @@
 #include <cstring>
 
 #include "cli/messages.hpp"
-#include "pendula/angle.hpp"
+#include "cli/quantities.hpp"
 
 namespace pendula::cli {
 
 namespace {
 
-enum class Spelling { good, out_of_range, bad };
+/// How the texts of a kind are read.
+struct Reader {
+    Spelling (*spell)(std::string_view text, double& value);
+    Words hint;  ///< what a number looks like
+};
+constexpr Reader decimal{
+    spell_decimal, {"it is not a number; write it like 90, 1.5 or 2e-3", "no es un número; escríbelo como 90, 1.5 o 2e-3"}};
+constexpr Reader number{
+    spell_number,
+    {"it is not a number; write it like 1.5, 2e-3, 2/3 or 3pi/4", "no es un número; escríbelo como 1.5, 2e-3, 2/3 o 3pi/4"}};
+constexpr Reader degrees{
+    spell_degrees,
+    {"it is not a number of degrees; write it like 90 or 2/3", "no es un número de grados; escríbelo como 90 o 2/3"}};
 
-Spelling spell(std::string_view text, double& value) {
-    if (text.starts_with('+') && !text.substr(1).starts_with('-')) text.remove_prefix(1);
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error == std::errc::invalid_argument || end != text.data() + text.size()) return Spelling::bad;
-    return error == std::errc() ? Spelling::good : Spelling::out_of_range;
-}
-
-bool is_number(std::string_view text) {
+bool is_number(const Reader& reader, std::string_view text) {
     double value;
-    return spell(text, value) == Spelling::good;
+    return reader.spell(text, value) == Spelling::good;
 }
 
 std::string replaced(std::string text, std::string_view old, std::string_view by) {
@@ -55,32 +60,26 @@ std::string in_plain_characters(std::string_view text, std::string_view degree) 
 }
 
 /// What is wrong with a text that is no number, by the slips that people make.
-std::string diagnosis(std::string_view text) {
+std::string diagnosis(const Reader& reader, std::string_view text) {
     const std::string meant = in_plain_characters(text, "");
     for (const Slip& slip : slips) {
         if (text.find(slip.typed) == std::string_view::npos) continue;
-        if (is_number(meant)) return say(slip.message, {in_quotes(meant)});
+        if (is_number(reader, meant)) return say(slip.message, {in_quotes(meant)});
         if (slip.message.en == no_break_space.en)
             return say({"it has a no-break space; type a plain one", "tiene un espacio duro; escribe uno normal"});
     }
     const auto digits = text.substr(text.starts_with('-') || text.starts_with('+'));
     if (digits.starts_with("0x") || digits.starts_with("0X"))
         return say({"hexadecimal is not read; write it in decimal", "no se lee en hexadecimal; escríbelo en decimal"});
-    if (text.size() > 1 && (text.back() == 'r' || text.back() == 's') && is_number(text.substr(0, text.size() - 1)))
+    if (text.size() > 1 && (text.back() == 'r' || text.back() == 's') && is_number(reader, text.substr(0, text.size() - 1)))
         return say({"leave a space between the number and its unit {0}", "deja un espacio entre el número y su unidad {0}"},
                    {text.substr(text.size() - 1)});
-    return say({"it is not a number; write it like 90, 1.5 or 2e-3", "no es un número; escríbelo como 90, 1.5 o 2e-3"});
+    return say(reader.hint);
 }
 
-}  // namespace
-
-std::string wrong_text(std::string_view name, std::string_view text, std::string_view why) {
-    return std::string(name) + ' ' + in_quotes(text) + ": " + std::string(why);
-}
-
-Parsed parse_number(std::string_view name, std::string_view text, Rule rule) {
+Parsed parse(const Reader& reader, std::string_view name, std::string_view text, Rule rule) {
     Parsed parsed;
-    switch (spell(text, parsed.value)) {
+    switch (reader.spell(text, parsed.value)) {
         case Spelling::good:
             if (!satisfies(rule, parsed.value))
                 parsed.wrong = say({.reason = Refusal::Reason::interval, .value = parsed.value, .rule = rule},
@@ -91,21 +90,37 @@ Parsed parse_number(std::string_view name, std::string_view text, Rule rule) {
                 name, text,
                 say({"its size must lie between 5e-324 and 1.8e308", "su tamaño debe estar entre 5e-324 y 1.8e308"}));
             break;
+        case Spelling::zero_below:
+            parsed.wrong = wrong_text(name, text, say({"it divides by zero", "divide por cero"}));
+            break;
         case Spelling::bad:
-            parsed.wrong = wrong_text(name, text, diagnosis(text));
+            parsed.wrong = wrong_text(name, text, diagnosis(reader, text));
             break;
     }
+    parsed.typed = parsed.value;
     return parsed;
 }
 
+}  // namespace
+
+std::string wrong_text(std::string_view name, std::string_view text, std::string_view why) {
+    return std::string(name) + ' ' + in_quotes(text) + ": " + std::string(why);
+}
+
+Parsed parse_number(std::string_view name, std::string_view text, Rule rule) { return parse(number, name, text, rule); }
+
+Parsed parse_decimal(std::string_view name, std::string_view text, Rule rule) { return parse(decimal, name, text, rule); }
+
 Parsed parse_angle(std::string_view name, std::string_view text, std::string_view suffix) {
     const bool is_in_degrees = text.ends_with(suffix);
-    Parsed parsed = parse_number(name, is_in_degrees ? text.substr(0, text.size() - suffix.size()) : text, Rule::finite);
-    if (is_in_degrees) parsed.value = to_radians(parsed.value);
+    const auto digits = is_in_degrees ? text.substr(0, text.size() - suffix.size()) : text;
+    Parsed parsed = parse(is_in_degrees ? degrees : number, name, digits, Rule::finite);
+    parsed.is_in_degrees = is_in_degrees;
+    if (is_in_degrees) spell_number(digits, parsed.typed);
     if (parsed.wrong.empty()) return parsed;
     const std::string meant = in_plain_characters(text, "deg");
     if (meant.find("deg") != text.find("deg") && meant.ends_with(suffix) &&
-        is_number(meant.substr(0, meant.size() - suffix.size())))
+        is_number(degrees, meant.substr(0, meant.size() - suffix.size())))
         parsed.wrong = wrong_text(
             name, text, say({"it has a degree sign; write {0}", "tiene el signo de grado; escribe {0}"}, {in_quotes(meant)}));
     else

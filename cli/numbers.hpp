@@ -1,4 +1,4 @@
-// Numbers as people write them and as the program prints them: always those of the C locale.
+// Numbers that were read, with what is wrong with their text, and numbers as the program prints them: those of the C locale.
 #pragma once
 
 #include <string>
@@ -11,11 +11,16 @@ namespace pendula::cli {
 /// A number that was read, or what is wrong with its text and what would be legal.
 struct Parsed {
     double value = 0;
-    std::string wrong;  ///< empty where the value stands
+    std::string wrong;           ///< empty where the value stands
+    bool is_in_degrees = false;  ///< whether an angle was typed in degrees
+    double typed = 0;            ///< the value in the unit in which it was typed; angles are in radians otherwise
 };
 
-/// The decimal number that `text` spells, sign and exponent allowed, if it satisfies the rule. Messages begin with `name`.
+/// The number that the text of an option spells (quantities.hpp), if it satisfies the rule. Messages begin with `name`.
 Parsed parse_number(std::string_view name, std::string_view text, Rule rule);
+
+/// The same of a token of standard input, where numbers are decimal.
+Parsed parse_decimal(std::string_view name, std::string_view text, Rule rule);
 
 /// The angle or angular velocity [rad] of a number of radians, or of a number of degrees with `suffix` behind it.
 Parsed parse_angle(std::string_view name, std::string_view text, std::string_view suffix);

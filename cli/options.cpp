@@ -1,31 +1,15 @@
 #include "cli/options.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <charconv>
+#include <cmath>
+
+#include "cli/settings.hpp"
+#include "pendula/angle.hpp"
 
 namespace pendula::cli {
 
 namespace {
-
-constexpr unsigned all_measures = ((1u << std::size(measures)) - 1) * first_measure_command;
-constexpr unsigned all_solutions = solve_input_command | solve_command;
-constexpr unsigned all_but_input = solve_command | analyze_command | all_measures;
-constexpr unsigned all_commands = all_but_input | solve_input_command;
-
-/// The commands that take a parameter; analyze takes what the equation of a free pendulum has.
-unsigned takers(const Parameter& parameter) {
-    const bool is_forcing = parameter.value && parameter.value != &Pendulum::alpha;
-    return is_forcing ? solve_command | all_measures : all_but_input;
-}
-
-/// "100, lyapunov 1000".
-std::string default_periods() {
-    std::string text = shown(measures[0].periods);
-    for (const auto& info : measures)
-        if (info.periods != measures[0].periods) text += ", " + hyphenated(info.name) + ' ' + shown(info.periods);
-    return text;
-}
 
 /// What to say of an argument that is no option of the command nor the value of one.
 [[noreturn]] void refuse_extra(Command command, std::string_view extra) {
@@ -53,8 +37,12 @@ const Options::Given* find(const Options& options, std::string_view name) {
 }
 
 void refuse_with(const Options& options, std::string_view name, std::string_view method) {
-    if (is_given(options, name))
+    if (!is_given(options, name)) return;
+    if (is_given(options, "--method"))
         throw bad_usage({"{0} does not go with --method {1}", "{0} no va con --method {1}"}, {name, method});
+    throw bad_usage({"{0} does not go with --method {1}, which is what is used if none is given",
+                     "{0} no va con --method {1}, que es el que se usa si no se da ninguno"},
+                    {name, method});
 }
 
 int precision_of(const Options& options) {
@@ -70,110 +58,6 @@ int precision_of(const Options& options) {
 
 }  // namespace
 
-const MeasureInfo* measure_of(Command command) {
-    return command < first_measure_command ? nullptr : &measures[std::countr_zero(command / first_measure_command)];
-}
-
-std::optional<Command> command_named(std::string_view name) {
-    if (name == "solve") return solve_command;
-    if (name == "analyze") return analyze_command;
-    for (const auto& info : measures)
-        if (name == hyphenated(info.name)) return command_of(info);
-    return {};
-}
-
-std::vector<std::string> command_names() {
-    std::vector<std::string> names{"solve", "analyze"};
-    for (const auto& info : measures) names.push_back(hyphenated(info.name));
-    return names;
-}
-
-std::string typed_commands(unsigned mask, const std::string& lead) {
-    std::vector<std::string> typed;
-    if (mask & solve_input_command) typed.push_back("pendula");
-    for (const auto& name : command_names())
-        if (const auto command = command_named(name); command && (mask & *command)) typed.push_back(lead + name);
-    return joined(typed);
-}
-
-std::string hyphenated(std::string_view name) {
-    std::string typed(name);
-    std::ranges::replace(typed, '_', '-');
-    return typed;
-}
-
-std::string option_of(std::string_view name) { return "--" + hyphenated(name); }
-
-const Parameter& swept_parameter(std::size_t i) {
-    static constexpr Parameter makers_of_alpha[] = {
-        {"gravity", "g", "m/s²", {"of alpha = g/l", "de alpha = g/l"}, 1, Rule::positive, false, nullptr, nullptr, nullptr},
-        {"length", "l", "m", {"of alpha = g/l", "de alpha = g/l"}, 1, Rule::positive, false, nullptr, nullptr, nullptr},
-    };
-    return i < parameter_count ? parameters[i] : makers_of_alpha[i - parameter_count];
-}
-
-const std::vector<Option>& known_options() {
-    static const std::vector<Option> known = [] {
-        std::vector<Option> all;
-        for (std::size_t i = 0; i < swept_count; ++i)
-            all.push_back({option_of(swept_parameter(i).name), takers(swept_parameter(i))});
-        const Words seconds{"the same in seconds", "lo mismo en segundos"};
-        const Option others[] = {
-            {"--dt-factor", solve_command, "F", {"longest step, as a factor of τ", "paso máximo, como factor de τ"}, "0.0001"},
-            {"--dt", solve_command, "S", seconds},
-            {"--every-factor", solve_command, "F", {"time between rows", "tiempo entre filas"}, "0.02"},
-            {"--every", solve_command, "S", seconds},
-            {"--until-factor", solve_command, "F", {"length of the run", "duración"}, "1"},
-            {"--until", solve_command, "S", seconds},
-            {"--columns", all_solutions, "LIST", {"see COLUMNS", "véase COLUMNAS"}},
-            {"--epsilon", analyze_command, "E", {"relative error of the series", "error relativo de la serie"}, "1e-7"},
-            {"--transient", all_measures, "N", {"periods that pass first", "periodos que pasan antes"}, "200"},
-            {"--periods", all_measures, "N", {"periods that are measured", "periodos que se miden"}, default_periods()},
-            {"--steps", all_measures, "N", {"steps of each period, by rk4", "pasos de cada periodo, con rk4"}, "1000"},
-            {"--threads", all_measures, "N", {"results do not depend on them", "los resultados no dependen de ellos"}},
-            {"--match",
-             command_of(measures[static_cast<int>(Measure::attractors)]),
-             "D",
-             {"how near an orbit comes back", "a qué distancia vuelve una órbita"},
-             "1e-6"},
-            {"--tolerance",
-             all_solutions | all_measures,
-             "E",
-             {"relative error of a step of taylor", "error relativo de un paso de taylor"},
-             "1e-15"},
-            {"--method", all_commands, "M", {"see METHODS", "véase MÉTODOS"}},
-            {"--format",
-             all_commands,
-             "F",
-             {"text, csv, or json: an object a line", "text, csv o json: un objeto por línea"},
-             "text"},
-            {"--precision",
-             all_commands,
-             "N",
-             {"digits from 1 to 17, or full: those that read back the same",
-              "cifras, de 1 a 17, o full: las que se releen igual"},
-             "6"},
-            {"--output",
-             all_commands,
-             "FILE",
-             {"untouched if the first problem is bad; - is standard output",
-              "intacto si el primer problema está mal; - es la salida estándar"}},
-            {"--lang",
-             all_commands,
-             "L",
-             {"en or es, else as LC_ALL, LC_MESSAGES or LANG say", "en o es; si no, según LC_ALL, LC_MESSAGES o LANG"}},
-        };
-        all.insert(all.end(), std::begin(others), std::end(others));
-        return all;
-    }();
-    return known;
-}
-
-const Option* find_option(std::string_view name) {
-    const auto found = std::ranges::find(known_options(), name, &Option::name);
-    return found == known_options().end() ? nullptr : &*found;
-}
-
 Options parse(Command command, std::span<const std::string_view> arguments) {
     Options options;
     std::optional<std::string_view> extra;
@@ -187,6 +71,10 @@ Options parse(Command command, std::span<const std::string_view> arguments) {
             options.wants_version = true;
         } else if (!option || !(option->commands & command)) {
             if (!extra) extra = argument;
+        } else if (option->value.empty()) {
+            if (name.size() < argument.size())
+                throw bad_usage({"option {0} takes no value", "la opción {0} no lleva valor"}, {name});
+            options.given.push_back({option->name, {}});
         } else if (name.size() < argument.size()) {
             options.given.push_back({std::string(name), argument.substr(name.size() + 1)});
         } else if (++i < arguments.size()) {
@@ -227,6 +115,31 @@ double number_of(const Options& options, std::string_view name, Rule rule, doubl
     return parsed.value;
 }
 
+double angle_of(const Options& options, std::string_view name, std::string_view unit, double otherwise) {
+    if (!is_given(options, name)) return otherwise;
+    const auto text = text_of(options, name);
+    const Parsed parsed = parse_angle(name, text, degrees_of(unit));
+    if (!parsed.wrong.empty()) throw Failure{Status::bad_usage, parsed.wrong};
+    if (unit == "rad") remark_on_degrees(name, text, parsed);
+    return parsed.value;
+}
+
+bool looks_like_degrees(const Parsed& angle) {
+    constexpr double largest = 3600;
+    const double x = angle.value;
+    return !angle.is_in_degrees && x == std::trunc(x) && std::abs(x) > 2 * pi && std::abs(x) <= largest;
+}
+
+void remark_on_degrees(std::string_view name, std::string_view text, const Parsed& angle) {
+    if (!looks_like_degrees(angle)) return;
+    const double turns = std::trunc(angle.value / (2 * pi));
+    tell(say(std::abs(turns) == 1 ? Words{"{0} {1}: {1} rad is {2} turn and {3} rad; for degrees type {1}deg",
+                                          "{0} {1}: {1} rad es {2} vuelta y {3} rad; en grados se escribe {1}deg"}
+                                  : Words{"{0} {1}: {1} rad is {2} turns and {3} rad; for degrees type {1}deg",
+                                          "{0} {1}: {1} rad son {2} vueltas y {3} rad; en grados se escribe {1}deg"},
+             {name, text, shown(turns), shown(angle.value - turns * 2 * pi)}));
+}
+
 std::size_t pick(const Options& options, std::string_view name, std::string_view typed, std::span<const char* const> words) {
     const auto found = std::ranges::find(words, typed, [](const char* word) { return std::string_view(word); });
     if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
@@ -241,12 +154,12 @@ std::size_t choice(const Options& options, std::string_view name, std::span<cons
     return is_given(options, name) ? pick(options, name, text_of(options, name), words) : 0;
 }
 
-Method method_of(const Options& options) {
-    const std::size_t i = choice(options, "--method", method_names);
-    const auto method = static_cast<Method>(i);
-    if (method != Method::taylor) refuse_with(options, "--tolerance", method_names[i]);
+Method method_of(const Options& options, std::span<const char* const> words) {
+    const char* const name = words[choice(options, "--method", words)];
+    const auto method = static_cast<Method>(std::ranges::find(method_names, std::string_view(name)) - method_names);
+    if (method != Method::taylor) refuse_with(options, "--tolerance", name);
     if (!takes_steps(method))
-        for (const auto* name : {"--dt", "--dt-factor", "--steps"}) refuse_with(options, name, method_names[i]);
+        for (const auto* option : {"--dt", "--dt-factor", "--steps"}) refuse_with(options, option, name);
     return method;
 }
 

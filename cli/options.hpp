@@ -33,20 +33,23 @@ std::vector<std::string> command_names();
 /// The commands of a mask, as they are typed: "pendula, pendula solve".
 std::string typed_commands(unsigned mask, const std::string& lead = "pendula ");
 
-/// "mean-velocity" of mean_velocity, and "--drive-amplitude" of drive_amplitude.
+/// "mean-velocity" of mean_velocity, and "--drive-amplitude" of drive_amplitude; "--steps" of steps_per_period.
 std::string hyphenated(std::string_view name);
 std::string option_of(std::string_view name);
 
-/// What a range may be given for: the parameters of the table, and gravity and length, which make alpha. Those two have no
-/// place in a pendulum.
-inline constexpr std::size_t swept_count = parameter_count + 2;
+/// What stands behind an angle in degrees: "deg" for rad, "deg/s" for rad/s.
+std::string degrees_of(std::string_view unit);
+
+/// What a range may be given for: the parameters of the table; gravity and length, which make alpha; and tau, the period, which
+/// makes theta0. Those three have no place in a pendulum.
+inline constexpr std::size_t swept_count = parameter_count + 3;
 const Parameter& swept_parameter(std::size_t i);
 
 struct Option {
     std::string name;
-    unsigned commands;       ///< that take it
-    const char* value = "";  ///< a letter for what stands behind it, in the manual, which has a line for each option with one
-    Words meaning = {"", ""};
+    unsigned commands;  ///< that take it
+    std::string value;  ///< what stands behind it, in the manual; empty where nothing does
+    Words meaning;
     std::string otherwise = {};
 };
 
@@ -75,13 +78,19 @@ std::string_view text_of(const Options& options, std::string_view name);
 void refuse_both(const Options& options, std::string_view one, std::string_view other);
 /// A number that satisfies the rule, or else what stands for one that is not given.
 double number_of(const Options& options, std::string_view name, Rule rule, double otherwise);
+/// An angle [rad] or angular velocity [rad/s], with what is remarked on it.
+double angle_of(const Options& options, std::string_view name, std::string_view unit, double otherwise);
+/// Whether an angle was typed in radians and hardly meant so: a whole number beyond one turn, up to 3600.
+bool looks_like_degrees(const Parsed& angle);
+/// Then says on standard error how far it goes and how degrees are typed.
+void remark_on_degrees(std::string_view name, std::string_view text, const Parsed& angle);
 /// Which of the words `typed` is, of the text of an option.
 std::size_t pick(const Options& options, std::string_view name, std::string_view typed, std::span<const char* const> words);
 /// Which of the words the option says; the first where it is not given.
 std::size_t choice(const Options& options, std::string_view name, std::span<const char* const> words);
 
-/// --method among the library's, once options that do not go with it are refused.
-Method method_of(const Options& options);
+/// --method among `words`, the names of methods, once options that do not go with it are refused. The first where not given.
+Method method_of(const Options& options, std::span<const char* const> words);
 /// --tolerance, of `taylor`.
 double tolerance_of(const Options& options);
 /// --format and --precision.

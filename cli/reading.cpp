@@ -64,7 +64,7 @@ std::string take(const Field& field, const std::string& token, double* value) {
     if (token.size() > longest_token)
         return wrong(say({"it is longer than {0} bytes", "tiene más de {0} bytes"}, {std::to_string(longest_token)}));
     if (!field.is_unit) {
-        const Parsed parsed = parse_number(say(field.name), token, field.rule);
+        const Parsed parsed = parse_decimal(say(field.name), token, field.rule);
         *value = parsed.value;
         return parsed.wrong;
     }

@@ -8,10 +8,10 @@ std::string_view separator(Format format) { return format == Format::text ? " " 
 
 }  // namespace
 
-RowStyle row_style(const std::vector<std::string_view>& names, const Style& style) {
+RowStyle row_style(const std::vector<std::string>& names, const Style& style) {
     const bool is_json = style.format == Format::json;
     RowStyle made{{}, is_json ? "}\n" : "\n", is_json, style.precision};
-    for (const auto name : names) {
+    for (const auto& name : names) {
         std::string lead(made.leads.empty() ? (is_json ? "{" : "") : separator(style.format));
         if (is_json) lead += json_string(name) + ':';
         Lead& kept = made.leads.emplace_back();
@@ -20,9 +20,9 @@ RowStyle row_style(const std::vector<std::string_view>& names, const Style& styl
     return made;
 }
 
-std::string header_line(const std::vector<std::string_view>& names, Format format) {
+std::string header_line(const std::vector<std::string>& names, Format format) {
     std::string line;
-    for (const auto name : names) line.append(line.empty() ? "" : separator(format)).append(name);
+    for (const auto& name : names) line.append(line.empty() ? "" : separator(format)).append(name);
     return line + '\n';
 }
 

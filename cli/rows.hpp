@@ -39,10 +39,10 @@ struct RowStyle {
 };
 
 /// The style of rows whose fields have these names.
-RowStyle row_style(const std::vector<std::string_view>& names, const Style& style);
+RowStyle row_style(const std::vector<std::string>& names, const Style& style);
 
 /// The names as a header line of text or csv.
-std::string header_line(const std::vector<std::string_view>& names, Format format);
+std::string header_line(const std::vector<std::string>& names, Format format);
 
 /// The text in quotes, as JSON has it; it holds no control characters.
 std::string json_string(std::string_view text);
@@ -51,7 +51,7 @@ void add_member(std::string& object, std::string_view name, std::string_view tex
 /// The same of a number in full precision.
 void add_number(std::string& object, std::string_view name, double value);
 
-/// The most bytes that `put_field` writes.
+/// The most bytes that `put_field` writes, and `put_word` of a word of up to 30 bytes.
 inline constexpr std::size_t field_room = sizeof(Lead::text) + number_room;
 
 /// Both write at a place and return the end.
@@ -59,10 +59,21 @@ inline char* put_text(char* at, std::string_view text) {
     return static_cast<char*>(std::memcpy(at, text.data(), text.size())) + text.size();
 }
 
+/// What stands before field number `field` of a row.
+inline char* put_lead(char* at, const RowStyle& style, std::size_t field) {
+    const Lead& lead = style.leads[field];
+    return put_text(at, {lead.text.data(), lead.text.size()}) - lead.text.size() + lead.size;
+}
+
+/// A field that is a word.
+inline char* put_word(char* at, const RowStyle& style, std::size_t field, std::string_view word) {
+    at = put_lead(at, style, field);
+    return style.is_json ? put_text(put_text(put_text(at, "\""), word), "\"") : put_text(at, word);
+}
+
 /// Field number `field` of a row, with what stands before it.
 inline char* put_field(char* at, const RowStyle& style, std::size_t field, double value) {
-    const Lead& lead = style.leads[field];
-    at = put_text(at, {lead.text.data(), lead.text.size()}) - lead.text.size() + lead.size;
+    at = put_lead(at, style, field);
     return style.is_json && !std::isfinite(value) ? put_text(at, "null") : put_number(at, value, style.precision);
 }
 

@@ -58,7 +58,7 @@ void solve_one(Writer& writer, const Statement& statement, const Layout& layout,
 
 void solve_input(const Options& options) {
     const Layout layout = read_layout(options);
-    const Method method = method_of(options);
+    const Method method = method_of(options, method_names);
     const double tolerance = tolerance_of(options);
     Writer writer{.path = output_path(options)};
     if (isatty(STDIN_FILENO))
@@ -95,7 +95,7 @@ void solve_options(const Options& options) {
     require_each(sweep, [](const Pendulum& pendulum) { return check(pendulum); });
     const Statement statement{.pendulum = pendulum_of(sweep, 0),
                               .initial = initial_state_of(sweep, 0),
-                              .method = method_of(options),
+                              .method = method_of(options, method_names),
                               .tolerance = tolerance_of(options),
                               .durations = read_durations(options)};
     Writer writer{.path = output_path(options)};

@@ -2,22 +2,24 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 
 #include "cli/terminal.hpp"
+#include "pendula/analysis.hpp"
+#include "pendula/angle.hpp"
 
 namespace pendula::cli {
 
 namespace {
 
-constexpr std::size_t gravity = parameter_count, length = parameter_count + 1;
+constexpr std::size_t gravity = parameter_count, length = parameter_count + 1, tau = parameter_count + 2;
 
-double read_end(const Parameter& parameter, std::string_view typed) {
+Parsed read_end(const Parameter& parameter, std::string_view typed) {
     const std::string name = option_of(parameter.name);
-    // "deg" for rad, "deg/s" for rad/s
-    const Parsed parsed = parameter.is_angle ? parse_angle(name, typed, "deg" + std::string(parameter.unit).substr(3))
-                                             : parse_number(name, typed, parameter.rule);
+    const Parsed parsed =
+        parameter.is_angle ? parse_angle(name, typed, degrees_of(parameter.unit)) : parse_number(name, typed, parameter.rule);
     if (!parsed.wrong.empty()) throw Failure{Status::bad_usage, parsed.wrong};
-    return parsed.value;
+    return parsed;
 }
 
 std::size_t read_count(const Options& options, std::string_view name, std::string_view typed) {
@@ -29,6 +31,16 @@ std::size_t read_count(const Options& options, std::string_view name, std::strin
                           "{0} valores: la cuenta debe ser un entero de 1 a 2^53"},
                          {in_quotes(typed)}));
     return n;
+}
+
+/// Whether bare values are angles; an angular velocity may well be large.
+bool is_angle(const Parameter& parameter) { return std::string_view(parameter.unit) == "rad"; }
+
+/// `remark_on_degrees` of a range with both ends beyond a turn; one that begins within may well be in radians.
+void remark_on_range(std::string_view name, std::string_view first, std::string_view last, const Range& range) {
+    tell(say({"{0}: from {1} to {2} radians; for degrees type {1}deg:{2}deg:{3}",
+              "{0}: de {1} a {2} radianes; en grados se escribe {1}deg:{2}deg:{3}"},
+             {name, first, last, std::to_string(range.count)}));
 }
 
 Range read_range(const Options& options, const Parameter& parameter) {
@@ -43,18 +55,37 @@ Range read_range(const Options& options, const Parameter& parameter) {
         refuse_value(
             options, name,
             say({"it must be one value, or a range first:last:count", "debe ser un valor, o un rango primero:último:cuántos"}));
-    const double first = read_end(parameter, parts[0]);
-    if (parts.size() == 1) return {first, first};
-    const Range range{first, read_end(parameter, parts[1]), read_count(options, name, parts[2]), true};
-    if (!satisfies(Rule::finite, range.last - range.first))
+    const Parsed first = read_end(parameter, parts[0]);
+    if (parts.size() == 1) {
+        if (is_angle(parameter)) remark_on_degrees(name, parts[0], first);
+        return {.first = first.value, .last = first.value};
+    }
+    const Parsed last = read_end(parameter, parts[1]);
+    if (first.is_in_degrees != last.is_in_degrees && (first.is_in_degrees ? last : first).value != 0)
+        refuse_value(options, name,
+                     say({"one end is in degrees and the other is not; type deg behind both or none",
+                          "un extremo está en grados y el otro no; escribe deg tras los dos o tras ninguno"}));
+    const Range range{
+        first.value, last.value, read_count(options, name, parts[2]), true, first.is_in_degrees || last.is_in_degrees,
+        first.typed, last.typed};
+    if (!satisfies(Rule::finite, range.typed_last - range.typed_first))
         refuse_value(options, name, say({"it is wider than the doubles", "es más ancho que los double"}));
+    if (is_angle(parameter) && looks_like_degrees(first) && looks_like_degrees(last))
+        remark_on_range(name, parts[0], parts[1], range);
     return range;
+}
+
+double typed_at(const Range& range, std::size_t i) {
+    if (i == 0) return range.typed_first;
+    if (i + 1 == range.count) return range.typed_last;
+    return range.typed_first +
+           static_cast<double>(i) * ((range.typed_last - range.typed_first) / static_cast<double>(range.count - 1));
 }
 
 double value_at(const Range& range, std::size_t i) {
     if (i == 0) return range.first;
     if (i + 1 == range.count) return range.last;
-    return range.first + static_cast<double>(i) * ((range.last - range.first) / static_cast<double>(range.count - 1));
+    return range.is_in_degrees ? to_radians(typed_at(range, i)) : typed_at(range, i);
 }
 
 /// Which of its values a range has in a member.
@@ -81,15 +112,6 @@ std::size_t size_of(const Sweep& sweep) {
     return static_cast<std::size_t>(size);
 }
 
-/// "where --beta is 1, --torque is 2: ", of the ranges; nothing where there are none.
-std::string place_of(const Sweep& sweep, std::size_t member) {
-    std::vector<std::string> values;
-    for (const std::size_t i : sweep.ranges)
-        values.push_back(
-            say({"{0} is {1}", "{0} es {1}"}, {option_of(swept_parameter(i).name), shown(value_of(sweep, i, member), full)}));
-    return values.empty() ? "" : say({"where {0}: ", "donde {0}: "}, {joined(values)});
-}
-
 }  // namespace
 
 Sweep read_sweep(const Options& options) {
@@ -97,7 +119,10 @@ Sweep read_sweep(const Options& options) {
     refuse_both(options, "--alpha", "--length");
     if (is_given(options, "--gravity") != is_given(options, "--length"))
         throw bad_usage({"--gravity and --length go together", "--gravity y --length van juntas"});
+    refuse_both(options, "--tau", "--theta0");
+    refuse_both(options, "--tau", "--omega0");
     Sweep sweep;
+    sweep.has_tau = is_given(options, "--tau");
     sweep.has_length = is_given(options, "--length");
     for (std::size_t i = 0; i < swept_count; ++i) sweep.values[i] = read_range(options, swept_parameter(i));
     for (const auto& given : options.given)
@@ -118,7 +143,7 @@ void require_single(const Options& options, const Sweep& sweep) {
 }
 
 void require_theta0(const Options& options) {
-    if (!is_given(options, "--theta0"))
+    if (!is_given(options, "--theta0") && !is_given(options, "--tau"))
         throw bad_usage({"--theta0 is missing: the initial angle, as 1.5 (radians) or 90deg",
                          "falta --theta0: el ángulo inicial, como 1.5 (radianes) o 90deg"});
 }
@@ -126,6 +151,10 @@ void require_theta0(const Options& options) {
 double value_of(const Sweep& sweep, std::size_t parameter, std::size_t member) {
     const Range& range = sweep.values[parameter];
     return range.is_range ? value_at(range, index_of(sweep, parameter, member)) : range.first;
+}
+
+double typed_value_of(const Sweep& sweep, std::size_t parameter, std::size_t member) {
+    return typed_at(sweep.values[parameter], index_of(sweep, parameter, member));
 }
 
 Pendulum pendulum_of(const Sweep& sweep, std::size_t member) {
@@ -139,18 +168,46 @@ State initial_state_of(const Sweep& sweep, std::size_t member) {
     State initial;
     for (std::size_t i = 0; i < parameter_count; ++i)
         if (const auto place = parameters[i].initial) initial.*place = value_of(sweep, i, member);
+    if (sweep.has_tau) initial.theta = amplitude_of_period(pendulum_of(sweep, member).alpha, tau_of(sweep, member));
     return initial;
 }
 
-void require_each(const Sweep& sweep, const std::function<Refusal(const Pendulum&)>& check) {
-    Sweep pendulums = sweep;  // what they start from is of no account
+double tau_of(const Sweep& sweep, std::size_t member) { return value_of(sweep, tau, member); }
+
+bool has_value(const Sweep& sweep, std::size_t parameter) {
+    if (parameter == gravity || parameter == length) return sweep.has_length;
+    if (parameter == tau) return sweep.has_tau;
+    return !sweep.has_length || parameters[parameter].value != &Pendulum::alpha;
+}
+
+Sweep pendulums_of(const Sweep& sweep) {
+    Sweep pendulums = sweep;
     std::erase_if(pendulums.ranges, [](std::size_t i) { return swept_parameter(i).initial != nullptr; });
     pendulums.size = size_of(pendulums);
+    return pendulums;
+}
+
+std::size_t member_in(const Sweep& pendulums, const Sweep& sweep, std::size_t member) {
+    std::size_t found = 0;
+    for (const std::size_t i : pendulums.ranges) found = found * sweep.values[i].count + index_of(sweep, i, member);
+    return found;
+}
+
+void require_each(const Sweep& sweep, const std::function<Refusal(const Pendulum&)>& check) {
+    const Sweep pendulums = pendulums_of(sweep);  // what they start from is of no account
     for (std::size_t member = 0; member < pendulums.size; ++member) {
         if (is_interrupted()) throw Failure{Status::interrupted, {}};
         if (const auto refusal = check(pendulum_of(pendulums, member)))
             throw Failure{Status::bad_usage, place_of(pendulums, member) + say(refusal, name_in_options(sweep, refusal))};
     }
+}
+
+std::string place_of(const Sweep& sweep, std::size_t member) {
+    std::vector<std::string> values;
+    for (const std::size_t i : sweep.ranges)
+        values.push_back(say({"{0} is {1}", "{0} es {1}"},
+                             {option_of(swept_parameter(i).name), shown(typed_value_of(sweep, i, member), full)}));
+    return values.empty() ? "" : say({"where {0}: ", "donde {0}: "}, {joined(values)});
 }
 
 std::string name_in_options(const Sweep& sweep, const Refusal& refusal) {
@@ -177,15 +234,18 @@ Members members_of(const Sweep& sweep, std::size_t first, std::size_t count) {
     return members;
 }
 
-std::vector<std::string_view> swept_names(const Sweep& sweep) {
-    std::vector<std::string_view> names;
-    for (const std::size_t i : sweep.ranges) names.push_back(swept_parameter(i).name);
+std::string swept_name(const Sweep& sweep, std::size_t parameter) {
+    return swept_parameter(parameter).name + std::string(sweep.values[parameter].is_in_degrees ? "_deg" : "");
+}
+
+std::vector<std::string> swept_names(const Sweep& sweep) {
+    std::vector<std::string> names;
+    for (const std::size_t i : sweep.ranges) names.push_back(swept_name(sweep, i));
     return names;
 }
 
-char* put_swept(char* at, const RowStyle& style, const Sweep& sweep, std::size_t member) {
-    for (std::size_t field = 0; field < sweep.ranges.size(); ++field)
-        at = put_field(at, style, field, value_of(sweep, sweep.ranges[field], member));
+char* put_swept(char* at, const RowStyle& style, const Sweep& sweep, std::size_t member, std::size_t field) {
+    for (const std::size_t i : sweep.ranges) at = put_field(at, style, field++, typed_value_of(sweep, i, member));
     return at;
 }
 

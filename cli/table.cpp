@@ -134,7 +134,7 @@ void require_columns(const Prepared& prepared, const Layout& layout) {
 void print_table(Writer& writer, const Prepared& prepared, const Layout& layout, std::size_t number) {
     const auto columns = columns_of(layout, prepared.analysis);
     const Format format = layout.style.format;
-    std::vector<std::string_view> names;
+    std::vector<std::string> names;
     bool needs_exact = false;
     for (const TableColumn column : columns) {
         const auto i = static_cast<std::size_t>(column);

@@ -9,11 +9,11 @@ int main() {
     const std::size_t n = amplitude.size();
     const pendula::Ensemble pendulums{
         .size = n, .theta = 0.2, .beta = 0.5, .drive_amplitude = amplitude, .drive_frequency = 2.0 / 3};
-    pendula::Strobe strobe{.transient = 200, .periods = 256, .steps_per_period = 200};
-    std::vector<double> label(n), period(n), rotation(n), theta(n), omega(n), exponent(n), error(n), horizon(n);
+    pendula::Strobe strobe{.transient = 200, .periods = 256, .budget = 1000};
+    std::vector<double> label(n), kind(n), period(n), rotation(n), theta(n), omega(n), exponent(n), error(n), horizon(n);
     using enum pendula::Measure;
-    const auto orbits = pendula::measure(attractors, pendulums, strobe, {label, period, rotation, theta, omega});
-    const auto growth = pendula::measure(lyapunov, pendulums, strobe, {exponent, error, horizon, {}});
+    const auto orbits = pendula::measure(attractors, pendulums, strobe, {label, kind, period, rotation, theta, omega});
+    const auto growth = pendula::measure(lyapunov, pendulums, strobe, {exponent, error, horizon});
     if (!pendula::require(orbits) || !pendula::require(growth)) return 1;
     std::printf("amplitude period exponent\n");
     for (std::size_t i = 0; i < n; ++i) std::printf("%9g %6g %+8.2f\n", amplitude[i], period[i], exponent[i]);

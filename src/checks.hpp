@@ -38,6 +38,12 @@ Refusal check_each(const Ensemble& ensemble, const More& more) noexcept {
 /// Refuses a method that cannot solve the pendulum, and an illegal tolerance.
 Refusal check(const Pendulum& pendulum, Method method, double tolerance) noexcept;
 
+/// Refuses given times of rows that are not as many as `rows`, negative, not finite, or decreasing.
+Refusal check_times(std::span<const double> times, double rows) noexcept;
+
+/// Refuses what `check(problem)` refuses, without a look at each of the given times, which members of an ensemble share.
+Refusal check_but_times(const Problem& problem) noexcept;
+
 /// Refuses steps that are too long for the friction: equal steps over a length of time [s] with beta h > 2 for euler or beta h
 /// > 2.78 for rk4, the bounds of their stability regions on the negative real axis (Hairer & Wanner II, IV.2). `name` is the
 /// argument that gives the number of steps.

@@ -44,6 +44,8 @@ Words pattern_of(Refusal::Reason reason) {
             return {"{n} must be a whole number from {l} to {m}, got {v}", "{n} debe ser un entero de {l} a {m}, y es {v}"};
         case length:
             return {"{n} must have {l} values, got {v}", "{n} debe tener {l} valores, y tiene {v}"};
+        case decreasing:
+            return {"{n} must not decrease, got {v} after {l}", "{n} no debe decrecer, y es {v} después de {l}"};
         case not_among:
             return {"{n} must be one of {w}", "{n} debe ser uno de {w}"};
         case not_conservative:
@@ -97,6 +99,7 @@ std::string describe(const Refusal& refusal, Language language, const std::strin
                                : say(legal_of(refusal.rule));
         i += 2;
     }
+    if (refusal.row != Refusal::no_member) text += say({" at index ", " en el índice "}) + std::to_string(refusal.row);
     if (refusal.member != Refusal::no_member) text += say({" (member ", " (miembro "}) + std::to_string(refusal.member) + ')';
     return text;
 }

@@ -11,44 +11,42 @@ import sys
 from pathlib import Path
 
 from nanobind.stubgen import ReplacePattern, StubGen
-from pendula import _core
+from pendula import _core, _words
 
 PACKAGE = Path(__file__).resolve().parents[1] / "python" / "pendula"
 
 # The values of the tables say no more than that they are tuples.
-TUPLES = {"parameters": "Parameter", "measures": "Measure", "method_names": "str"}
+TUPLES = {"parameters": "Parameter", "measures": "Measure", "jump_columns": "ResultColumn"}
+NAMES = {
+    "Method": _core.method_names,
+    "StrobeMethod": _core.strobe_method_names,
+    "Plane": _core.plane_names,
+    "Direction": _core.direction_names,
+    "Carry": _words.CARRIES,
+}
 WHOLE = {"label"}  # columns of whole numbers, which are int64
-
 ROWS = ", [..., row]"
-INTERVALS = {"finite": "", "positive": ", positive", "not_negative": ", not negative", "fraction": ", between 0 and 1"}
 
 HEAD = '''"""The core's tables of parameters and measures as types. Written by tools/make_python_tables.py."""
 
-from typing import NamedTuple, TypedDict
+from typing import Literal, NamedTuple, TypedDict
 
 import numpy as np
 import numpy.typing as npt
 
+from ._core import Kind
+
 Array = npt.NDArray[np.float64]
-
-
-class PendulumArguments(TypedDict, total=False):
-    """The parameters of pendulums: numbers, or arrays that broadcast."""
-
-'''
-VALUES = '''
-
-class ParameterValues(NamedTuple):
-    """Initial values and parameters: floats, or arrays that broadcast."""
-
 '''
 
 
 def stub() -> str:
     """nanobind's stub of the extension."""
+    names = [name for name in dir(_core) if name.endswith("_names")]
+    tuples = TUPLES | dict.fromkeys(names, "str")
     patterns = [
         ReplacePattern(re.compile(rf"pendula\._core\.{name}$"), [f"{name}: tuple[{item}, ...]", ""], 0)
-        for name, item in TUPLES.items()
+        for name, item in tuples.items()
     ]
     patterns.append(ReplacePattern(re.compile(r"pendula\._core\.version$"), ["version: str", ""], 0))
     writer = StubGen(_core, patterns=patterns)
@@ -56,37 +54,58 @@ def stub() -> str:
     return formatted(writer.get(), "_core.pyi")
 
 
-def words(parameter: _core.Parameter) -> str:
-    """What a parameter is, in a line."""
-    return f"{parameter.symbol}: {parameter.meaning} [{parameter.unit}]{INTERVALS[parameter.interval.name]}"
+def arguments(name: str, base: str, doc: str, fields: tuple[_words.Argument, ...], annotation: str | None = None) -> str:
+    """Arguments by name as a TypedDict."""
+    lines = [f'    {each.name}: {annotation or each.annotation}\n    """{each.line}."""\n' for each in fields]
+    return f'\n\nclass {name}({base}, total=False):\n    """{doc}"""\n\n{"".join(lines)}'
 
 
-def results(measure: _core.Measure) -> str:
-    """A measure of several columns as a named tuple."""
-    lines, fields = [], []
-    for column in measure.columns:
-        kind = "npt.NDArray[np.int64]" if column.name in WHOLE else "Array"
-        fields.append(f"    {column.name}: {kind}\n")
+def results(name: str) -> str:
+    """The columns of a measure as a named tuple."""
+    fields = []
+    for column in _words.COLUMNS[name]:
+        kind = "npt.NDArray[np.int64]" if column.name in WHOLE else "Kind | npt.NDArray[np.int8]" if column.is_kind else "Array"
         unit = "" if column.unit == "1" else f" [{column.unit}]"
         symbol = f"{column.symbol}, " if column.symbol else ""
-        lines.append(f"    {column.name}: {symbol}{column.meaning}{unit}{ROWS if column.has_rows else ''}\n")
-    name = measure.name.title().replace("_", "")
-    meaning = measure.meaning[:1].upper() + measure.meaning[1:]
-    return f'\n\nclass {name}(NamedTuple):\n    """{meaning}.\n\n{"".join(lines)}    """\n\n{"".join(fields)}'
+        words = f"{symbol}{column.meaning}{unit}{ROWS if column.has_rows else ''}"
+        if column.is_kind:
+            words += "; Kind(k).name is the word for an element k"
+        fields.append(f'    {column.name}: {kind}\n    """{words}."""\n')
+    doc = f"What measure.{name} finds: numbers for one pendulum, arrays for several."
+    return f'\n\nclass {class_name(name)}(NamedTuple):\n    """{doc}"""\n\n{"".join(fields)}'
+
+
+def class_name(name: str) -> str:
+    """As classes are named."""
+    return name.title().replace("_", "")
 
 
 def tables() -> str:
     """Arguments and results by name."""
     text = HEAD
-    for parameter in _core.parameters:
-        if not parameter.is_initial:
-            text += f'    {parameter.name}: npt.ArrayLike\n    """{words(parameter)}; {parameter.default:g} if left out."""\n'
-    text += VALUES
-    for parameter in _core.parameters:
-        text += f'    {parameter.name}: float | Array\n    """{words(parameter)}."""\n'
-    for measure in _core.measures:
-        if len(measure.columns) > 1:
-            text += results(measure)
+    for name, values in NAMES.items():
+        text += f"{name} = Literal[{', '.join(map(repr, values))}]\n"
+    stiffness, pendulum = _words.STIFFNESS, _words.PENDULUM
+    text += arguments("Stiffness", "TypedDict", "alpha, or gravity and length: numbers, or arrays that broadcast.", stiffness)
+    text += arguments("FloatStiffness", "TypedDict", "alpha, or gravity and length of one pendulum.", stiffness, "float")
+    text += arguments(
+        "PendulumArguments",
+        "Stiffness",
+        "The parameters of pendulums: numbers, or arrays that broadcast.",
+        tuple(each for each in pendulum if each not in stiffness),
+    )
+    text += (
+        '\n\nclass ParameterValues(NamedTuple):\n    """Initial values and parameters: floats, or arrays that broadcast."""\n\n'
+    )
+    names = [each.name for each in _core.parameters]
+    for each in (*_words.INITIAL, *pendulum):
+        if each.name in names:
+            text += f'    {each.name}: float | Array\n    """{each.meaning}."""\n'
+    taken = {each.name: _words.settings_of(each.name) for each in _core.measures} | {"jumps": _words.JUMP_SETTINGS}
+    for name, settings in taken.items():
+        text += arguments(f"{class_name(name)}Arguments", "PendulumArguments", f"What measure.{name} takes by name.", settings)
+    for name in taken:
+        text += results(name)
     return formatted(text, "_tables.py")
 
 

@@ -15,7 +15,6 @@ states = pendula.measure.section(
     drive_frequency=2 / 3,
     transient=100,
     periods=800,
-    steps_per_period=400,
 )
 figure, ax = pyplot.subplots(figsize=(7, 5), layout="constrained")
 pendula.plot.section(states.theta, states.omega, ax=ax, markersize=0.6)

@@ -49,4 +49,13 @@ inline constexpr double series_terms_limit = 1e9;
 Outcome analyze_by_series(double alpha, State initial, double epsilon, Analysis& analysis,
                           const Control& control = {}) noexcept;
 
+/// The inverse of `analyze` for oscillations: the amplitude [rad], in [0, pi], of the frictionless pendulum whose period is
+/// tau. Let go at rest from this angle, it swings with that period.
+///
+/// It solves tau sqrt(alpha)/4 = K(sin(amplitude/2)) by Newton's method in double-double. alpha [s^-2]: positive and finite.
+/// tau [s]: finite, and at least 2 pi/sqrt(alpha), the period of small swings; its nearest double gives 0. Within 2 ulp of the
+/// amplitude for exactly these doubles (tests/cpp/analysis_test.cpp). From some 151/sqrt(alpha) on the amplitude rounds to
+/// `pi`. Other arguments give NaN.
+double amplitude_of_period(double alpha, double tau) noexcept;
+
 }  // namespace pendula

@@ -8,13 +8,16 @@
 
 namespace pendula {
 
-/// The times of the rows [s]: row j of a member is at first + j every. The member starts at t = 0.
+/// The times of the rows [s]: row j of a member is at first + j every, or at times[j] for all members. The member starts at
+/// t = 0.
 struct EnsembleTimes {
     Column first = 0.0;           ///< >= 0
     Column every = 1.0;           ///< > 0; not used if there is only one row
     std::size_t rows = 1;         ///< >= 1
     Column steps_to_first = 1.0;  ///< number of equal steps from the start to the first row, if first > 0; a whole number >= 1
     Column steps_per_row = 1.0;   ///< number of equal steps between rows; a whole number >= 1
+    std::span<const double> times = {};  ///< if not empty: `rows` times, >= 0 and not decreasing; only they and dt are used
+    Column dt = 0.0;                     ///< the longest step between given times [s], > 0, for methods that take steps
 };
 
 /// The arrays that receive the rows: rows x size values each, row by row. theta in [-pi, pi) [rad], omega [rad/s], whole turns.

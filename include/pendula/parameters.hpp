@@ -186,6 +186,7 @@ struct Refusal {
         needs_frequency,   ///< the same, where a drive or a shaken pivot needs a frequency
         whole,             ///< `value` of `name` is not a whole number from `least` to `most`
         length,            ///< `name` has `value` elements, or is null; it needs at least `least`
+        decreasing,        ///< `name` is `value`, which is less than `least`, the one before it
         not_among,         ///< `name` is not one of the words in `legal`
         not_conservative,  ///< method `name` needs a pendulum without friction and forcing
         has_friction,      ///< method `name` needs a pendulum without friction
@@ -205,6 +206,7 @@ struct Refusal {
     Rule rule = Rule::finite;
     const char* legal = "";          ///< the legal words
     std::size_t member = no_member;  ///< number of the member that was refused, in an ensemble
+    std::size_t row = no_member;     ///< number of the time that was refused, among given times
 
     static constexpr std::size_t no_member = static_cast<std::size_t>(-1);
     constexpr explicit operator bool() const noexcept { return reason != Reason::none; }

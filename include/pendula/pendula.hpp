@@ -4,6 +4,7 @@
 #include "pendula/actividad3.hpp"
 #include "pendula/analysis.hpp"
 #include "pendula/angle.hpp"
+#include "pendula/carry.hpp"
 #include "pendula/control.hpp"
 #include "pendula/crossings.hpp"
 #include "pendula/ensemble.hpp"

@@ -54,8 +54,7 @@ struct Broadcast {
     Shape shape;
     std::array<Output, Out> outputs;
 
-    explicit Broadcast(const std::array<const Reals*, In>& arguments)
-        : Broadcast(arguments, std::make_index_sequence<In>(), std::make_index_sequence<Out>()) {}
+    explicit Broadcast(const std::array<const Reals*, In>& arguments) : Broadcast(arguments, std::make_index_sequence<Out>()) {}
 
     Places<count> start() {
         Places<count> places;
@@ -89,15 +88,9 @@ struct Broadcast {
     }
 
   private:
-    template <std::size_t... I, std::size_t... O>
-    Broadcast(const std::array<const Reals*, In>& arguments, std::index_sequence<I...>, std::index_sequence<O...>)
-        : inputs(arguments), shape(common_shape({arguments[I]->shape()...})), outputs{Output((void(O), shape))...} {}
-
-    static Shape common_shape(const std::array<Shape, In>& shapes) {
-        for (const Shape& each : shapes)
-            if (!each.empty()) return broadcast(shapes);
-        return {};
-    }
+    template <std::size_t... O>
+    Broadcast(const std::array<const Reals*, In>& arguments, std::index_sequence<O...>)
+        : inputs(arguments), shape(broadcast(arguments)), outputs{Output((void(O), shape))...} {}
 
     static bool continues(const Axis<count>& inner, const Axis<count>& outer) {
         for (std::size_t k = 0; k < count; ++k)

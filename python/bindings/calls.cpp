@@ -19,10 +19,10 @@ bool Signals::go_on() {
 
 Members::Members(const Pendulums& pendulums, std::span<const NamedReals> others)
     : pendulums_(pendulums), others_(others.begin(), others.end()) {
-    std::vector<Shape> shapes;
-    for (const Reals& values : pendulums) shapes.push_back(values.shape());
-    for (const NamedReals& other : others_) shapes.push_back(other.values->shape());
-    shape_ = broadcast(shapes);
+    std::vector<const Reals*> arguments;
+    for (const Reals& values : pendulums) arguments.push_back(&values);
+    for (const NamedReals& other : others_) arguments.push_back(other.values);
+    shape_ = broadcast(arguments);
     ensemble_.size = size_of(shape_);
     for (std::size_t k = 0; k < parameter_count; ++k) ensemble_.*parameters[k].column = column(pendulums[k]);
 }
@@ -62,8 +62,10 @@ void Members::require(const Refusal& refusal) const {
     for (const NamedReals& other : others_)
         if (std::string_view(other.name) == refusal.name) argument = other.values;
     // What the core counts follows from arguments of other names here.
-    constexpr std::pair<std::string_view, const char*> others_names[] = {
-        {"steps_per_row", "every/dt"}, {"steps_to_first", "t[0]/dt"}, {"history_rows", "rows"}};
+    constexpr std::pair<std::string_view, const char*> others_names[] = {{"steps_per_row", "every/dt"},
+                                                                         {"steps_to_first", "t[0]/dt"},
+                                                                         {"history_rows", "rows"},
+                                                                         {"swept", "the parameter along the last axis"}};
     const char* name = "";
     for (const auto& [core, own] : others_names)
         if (core == refusal.name) name = own;
@@ -137,7 +139,7 @@ void warn_of_nan(const char* what, std::span<const double> values, std::size_t r
     const std::string message = std::string(what) + ": the motion of " + std::to_string(count) + " of " + std::to_string(size) +
                                 (size == 1 ? " pendulum" : " pendulums") + " leaves the doubles; results are nan" +
                                 (rows > 1 ? " from row " + std::to_string(first) + " on" : "");
-    constexpr int caller_of_the_package = 2;
+    constexpr int caller_of_the_package = 3;  // behind the function of the package and what wraps it
     if (PyErr_WarnEx(PyExc_RuntimeWarning, message.c_str(), caller_of_the_package) != 0) throw nb::python_error();
 }
 

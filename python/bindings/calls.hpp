@@ -143,6 +143,7 @@ void define(nb::module_& module, const char* name, Function function, const Extr
 // The parts of the extension module.
 void define_closed_form(nb::module_& module);
 void define_solve(nb::module_& module);
+void define_crossings(nb::module_& module);
 void define_measures(nb::module_& module);
 
 /// The closed form: theta in [-pi, pi), omega and turns, over the broadcast of pendulums and times.

@@ -149,6 +149,36 @@ Array energy(const Reals& theta, const Reals& omega, const Reals& alpha) {
     })[0]};
 }
 
+/// The amplitude of oscillations by their period.
+Array amplitude(const Reals& tau, const Reals& alpha) {
+    Broadcast<2, 1> arrays({&tau.named("tau"), &alpha.named(alpha_info.name)});
+    require_all("tau", tau, Rule::positive);
+    require_all(alpha_info.name, alpha, alpha_info.rule);
+    const auto found =
+        elementwise(arrays, [](double period, double stiffness) { return std::array{amplitude_of_period(stiffness, period)}; });
+    const auto values = arrays.outputs[0].values();
+    const auto none = std::find_if(values.begin(), values.end(), [](double value) { return std::isnan(value); });
+    if (none == values.end()) return {found[0]};
+    const auto member = static_cast<std::size_t>(none - values.begin());
+    std::vector<double> copy;
+    const std::string period = nb::repr(nb::float_(column_of(tau, arrays.shape, copy)[member])).c_str();
+    throw std::invalid_argument(at_place("tau must be at least 2 pi/sqrt(alpha), the period of small swings, got " + period,
+                                         &tau, arrays.shape, member));
+}
+
+/// alpha = g/l, for alpha where it is not given itself.
+Array stiffness(const Reals& gravity, const Reals& length) {
+    Broadcast<2, 1> arrays({&gravity.named("gravity"), &length.named("length")});
+    require_all("gravity", gravity, Rule::positive);
+    require_all("length", length, Rule::positive);
+    return {elementwise(arrays, [](double g, double l) { return std::array{g / l}; })[0]};
+}
+
+Array radians(const Reals& degrees) {
+    Broadcast<1, 1> arrays({&degrees.named("degrees")});
+    return {elementwise(arrays, [](double angle) { return std::array{to_radians(angle)}; })[0]};
+}
+
 Array wrap(const Reals& theta) {
     Broadcast<1, 1> arrays({&theta.named("theta")});
     return {elementwise(arrays, [](double angle) { return std::array{pendula::wrap(angle)}; })[0]};
@@ -171,15 +201,19 @@ std::tuple<Array, Array, Array> states(const Reals& theta0, const Reals& omega0,
 
 void define_closed_form(nb::module_& module) {
     const auto theta0 = nb::arg("theta0"), omega0 = nb::arg("omega0"), alpha = nb::arg("alpha"), t = nb::arg("t");
+    const auto stiff = nb::arg("alpha") = alpha_info.otherwise;
     nb::enum_<Regime>(module, "Regime", nb::is_arithmetic(), "The kinds of motion; the values are the assignment's k.")
         .value("oscillation", Regime::oscillation)
         .value("separatrix", Regime::separatrix)
         .value("rotation", Regime::rotation);
-    module.def("analyze", analyze, theta0, omega0, alpha, "regime, theta_max and tau");
-    module.def("exact", exact, theta0, omega0, t, alpha, "theta, not wrapped, and omega");
+    module.def("analyze", analyze, theta0, omega0, stiff, "regime, theta_max and tau");
+    module.def("exact", exact, theta0, omega0, t, stiff, "theta, not wrapped, and omega");
     module.def("states", states, theta0, omega0, alpha, t, "theta in [-π, π), omega and turns");
     module.def("sine", sine, theta0, omega0, alpha, t, "the sinusoid (3.4), in [-π, π)");
     module.def("energy", energy, nb::arg("theta"), nb::arg("omega"), alpha);
+    module.def("amplitude", amplitude, nb::arg("tau"), stiff, "the inverse of analyze for oscillations");
+    module.def("stiffness", stiffness, nb::arg("gravity"), nb::arg("length"), "gravity/length");
+    module.def("to_radians", radians, nb::arg("degrees"));
     module.def("wrap", wrap, nb::arg("theta"));
     module.def("unwrap", unwrap, nb::arg("theta"), nb::arg("turns"));
 }

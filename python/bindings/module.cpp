@@ -3,6 +3,8 @@
 #include <nanobind/stl/vector.h>
 
 #include "calls.hpp"
+#include "measures.hpp"
+#include "pendula/carry.hpp"
 #include "pendula/version.hpp"
 #include "src/messages.hpp"
 
@@ -40,26 +42,36 @@ void define_tables(nb::module_& module) {
         .def_ro("unit", &ResultColumn::unit)
         .def_prop_ro("meaning", [](const ResultColumn& c) { return c.meaning.en; })
         .def_prop_ro(
-            "has_rows", [](const ResultColumn& c) { return c.rows != ResultColumn::Rows::one; }, "More than one value.");
+            "has_rows", [](const ResultColumn& c) { return c.rows != ResultColumn::Rows::one; }, "More than one value.")
+        .def_prop_ro(
+            "is_kind", [](const ResultColumn& c) { return c.words.data() == kind_names; }, "The values are those of Kind.");
+    nb::class_<OwnSetting>(module, "Setting", "A number among the settings of a measure.")
+        .def_prop_ro("name", [](const OwnSetting& s) { return s.setting->name; })
+        .def_prop_ro("unit", [](const OwnSetting& s) { return s.setting->unit; })
+        .def_prop_ro("meaning", [](const OwnSetting& s) { return s.setting->meaning.en; })
+        .def_ro("default", &OwnSetting::otherwise);
     nb::class_<MeasureInfo>(module, "Measure", "What there is to know of a measure.")
         .def_ro("name", &MeasureInfo::name)
         .def_prop_ro("meaning", [](const MeasureInfo& m) { return m.meaning.en; })
-        .def_ro("periods", &MeasureInfo::periods, "Where nothing else is asked for.")
+        .def_prop_ro("settings",
+                     [](const MeasureInfo& m) {
+                         std::vector<OwnSetting> own;
+                         for (const Setting& s : settings)
+                             if (uses(s, m.measure))
+                                 own.push_back({&s, s.value == &Strobe::periods ? m.periods : Strobe{}.*s.value});
+                         return nb::typed<nb::tuple, OwnSetting, nb::ellipsis>(tuple_of(own));
+                     })
         .def_prop_ro("columns", [](const MeasureInfo& m) {
             return nb::typed<nb::tuple, ResultColumn, nb::ellipsis>(tuple_of(m.columns));
         });
-    nb::class_<Strobe>(module, "Strobe", "How pendulums are measured, where nothing else is asked for.")
-        .def(nb::init<>())
-        .def_ro("transient", &Strobe::transient)
-        .def_ro("periods", &Strobe::periods)
-        .def_ro("steps_per_period", &Strobe::steps_per_period)
-        .def_prop_ro("method", [](const Strobe& s) { return method_names[static_cast<int>(s.method)]; })
-        .def_ro("tolerance", &Strobe::tolerance)
-        .def_ro("rows", &Strobe::history_rows)
-        .def_ro("match", &Strobe::match);
     module.attr("parameters") = tuple_of(parameters);
     module.attr("measures") = tuple_of(measures);
+    module.attr("jump_columns") = tuple_of(jump_columns);
     module.attr("method_names") = tuple_of(method_names);
+    module.attr("strobe_method_names") = tuple_of(strobe_method_names);
+    module.attr("plane_names") = tuple_of(plane_names);
+    module.attr("direction_names") = tuple_of(direction_names);
+    module.attr("carry_names") = tuple_of(carry_names);
 }
 
 void define_programs_part(nb::module_& module) {
@@ -112,5 +124,6 @@ NB_MODULE(_core, module) {
     define_parameters(module);
     define_closed_form(module);
     define_solve(module);
+    define_crossings(module);
     define_measures(module);
 }

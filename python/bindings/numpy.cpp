@@ -124,10 +124,13 @@ void Reals::look_at(nb::object array) {
 }
 
 const Reals& Reals::named(const char* name, const char* what) const {
+    name_ = name;
     if (failure_) std::rethrow_exception(failure_);
     if (!refused_.is_valid()) return *this;
     if (is_masked(refused_))
-        refuse_type(std::string(name) + " must be " + what + ", got a masked array, whose masks would be ignored");
+        refuse_type(std::string(name) + " must be " + what +
+                    ", got a masked array, whose masks would be ignored; numpy.ma.filled puts values in their places, and "
+                    "compressed() leaves them out");
     std::string got;
     if (nb::isinstance(refused_, numpy().array_type)) {
         const nb::object shown = numpy().array2string(refused_, nb::arg("threshold") = 4, nb::arg("edgeitems") = 2);
@@ -165,7 +168,14 @@ std::size_t Name::among(const char* name, std::span<const char* const> names) co
         if (PyUnicode_Check(given.ptr()) && PyUnicode_CompareWithASCIIString(given.ptr(), names[i]) == 0) return i;
         listed += (i ? ", " : "") + std::string(names[i]);
     }
-    throw std::invalid_argument(std::string(name) + " must be one of " + listed + ", got " + as_typed(given));
+    std::string message = std::string(name) + " must be one of " + listed + ", got " + as_typed(given);
+    if (PyUnicode_Check(given.ptr())) {
+        nb::list all;
+        for (const char* each : names) all.append(each);
+        const nb::object near = nb::module_::import_("difflib").attr("get_close_matches")(given, all, 1);
+        if (nb::len(near) > 0) message += "; did you mean " + as_typed(nb::object(near[0])) + "?";
+    }
+    throw std::invalid_argument(message);
 }
 
 int Threads::number() const {
@@ -193,7 +203,10 @@ nb::object Output::rows_last() const { return numpy().moveaxis(array_, 0, -1); }
 
 nb::object as_int8(const nb::object& values) { return values.attr("astype")("int8"); }
 
-Shape broadcast(std::span<const Shape> shapes) {
+Shape broadcast(std::span<const Reals* const> arguments) {
+    std::vector<Shape> shapes;
+    for (const Reals* each : arguments)
+        if (!each->is_scalar()) shapes.push_back(each->shape());
     Shape common;
     for (const Shape& shape : shapes) common.insert(common.begin(), std::max(common.size(), shape.size()) - common.size(), 1);
     for (const Shape& shape : shapes) {
@@ -202,8 +215,13 @@ Shape broadcast(std::span<const Shape> shapes) {
             Py_ssize_t& length = common[lead + i];
             if (length == 1) length = shape[i];
             if (shape[i] == 1 || shape[i] == length) continue;
-            std::string message = "arguments cannot be broadcast together: their shapes are";
-            for (const Shape& each : shapes) message += ' ' + text(each);
+            std::string message = "arguments cannot be broadcast together: ";
+            const char* comma = "";
+            for (const Reals* each : arguments) {
+                if (each->is_scalar()) continue;
+                message += comma + std::string(each->name()) + " has shape " + text(each->shape());
+                comma = ", ";
+            }
             throw std::invalid_argument(message);
         }
     }

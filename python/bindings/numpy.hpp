@@ -36,6 +36,8 @@ class Reals {
 
     bool is_scalar() const { return !view_; }
     Shape shape() const;
+    /// As `named` was told it; empty for a default.
+    const char* name() const { return name_; }
     std::size_t size() const { return view_ ? static_cast<std::size_t>(view_->len / view_->itemsize) : 1; }
     /// Bytes from one element to the next along axis `axis` of a broadcast over `ndim` axes; 0 where it repeats.
     Py_ssize_t step(int axis, int ndim) const;
@@ -55,6 +57,7 @@ class Reals {
     void look_at(nb::object array);
 
     double scalar_ = 0;
+    mutable const char* name_ = "";
     nb::object array_;
     std::unique_ptr<Py_buffer, Release> view_;  // some exporters point into it: it stays where it is
     nb::object refused_;                        // what is not real numbers
@@ -70,7 +73,7 @@ struct Number {
 /// One of some names.
 struct Name {
     nb::object given;
-    /// Its place in a list. Throws ValueError with the list where it is not there.
+    /// Its place in a list. Throws ValueError with the list, and the nearest name, where it is not there.
     std::size_t among(const char* name, std::span<const char* const> names) const;
 };
 
@@ -105,7 +108,7 @@ struct Array {
     nb::object value;
 };
 
-/// A kind of motion, or an array of int8.
+/// A regime, or an array of int8.
 struct Regimes {
     nb::object value;
 };
@@ -118,8 +121,8 @@ struct Value {
 /// Whole numbers in float64 as int8.
 nb::object as_int8(const nb::object& values);
 
-/// numpy's broadcasting rule. Throws std::invalid_argument with the shapes where they do not fit.
-Shape broadcast(std::span<const Shape> shapes);
+/// numpy's broadcasting rule. Throws std::invalid_argument with the names and the shapes where they do not fit.
+Shape broadcast(std::span<const Reals* const> arguments);
 
 /// How a caster hands an argument over whatever it is.
 template <class T>

@@ -51,6 +51,8 @@ Reals along_time(const Reals& values, const Shape& shape) {
 
 /// Columns of `EnsembleTimes`, and the times that they stand for.
 struct Rows {
+    std::vector<double> given;  // times that are not evenly spaced, and their longest step
+    Column longest_step = 0.0;
     double first = 0;
     Column every = 1.0;
     std::size_t count = 0;
@@ -62,7 +64,16 @@ Column column_of(const std::vector<double>& values) { return values.size() == 1 
 
 double spacing(double x) { return std::nextafter(x, INFINITY) - x; }
 
-/// Evenly spaced times, as far as rounding lets them be.
+/// Raises ValueError for the first time that is negative or earlier than the one before it.
+void require_order(const Reals& t, std::span<const double> times) {
+    require_all("t", t, Rule::not_negative);
+    const auto last = std::is_sorted_until(times.begin(), times.end());
+    if (last == times.end()) return;
+    const Refusal refusal{.reason = Refusal::Reason::decreasing, .name = "t", .value = *last, .least = *(last - 1)};
+    throw std::invalid_argument(at_place(describe(refusal), &t, t.shape(), static_cast<std::size_t>(last - times.begin())));
+}
+
+/// Times as they are given. Those that are evenly spaced, as far as rounding lets them be, become products.
 Rows at_times(const Reals& t) {
     const auto n = static_cast<Py_ssize_t>(t.size());
     const auto time = [&](Py_ssize_t j) { return load(t.data() + j * t.step(0, 1)); };
@@ -74,22 +85,25 @@ Rows at_times(const Reals& t) {
     for (Py_ssize_t j = 0; j < n; ++j) largest = std::max(largest, std::abs(time(j)));
     const double slack = 4 * spacing(largest);  // a difference, a quotient, a product and a sum, each rounded once
     bool is_even = rows.first >= 0 && every > 0;
-    Output spaced({n});
+    Output times({n});
     for (Py_ssize_t j = 0; j < n; ++j) {
         const double even = rows.first + static_cast<double>(j) * every;
-        spaced.values()[static_cast<std::size_t>(j)] = even;
+        times.values()[static_cast<std::size_t>(j)] = even;
         is_even = is_even && std::abs(even - time(j)) <= slack;
     }
-    if (!is_even)
-        throw std::invalid_argument("t must begin at 0 or later and grow by even steps (with method exact it need not), got " +
-                                    std::string(nb::str(t.value()).c_str()));
     rows.every = every;
-    rows.t = spaced.value();
+    rows.t = times.value();
+    if (is_even) return rows;
+    for (Py_ssize_t j = 0; j < n; ++j) times.values()[static_cast<std::size_t>(j)] = time(j);
+    require_order(t, times.values());
+    rows.given.assign(times.values().begin(), times.values().end());
     return rows;
 }
 
-/// Equal steps of at most dt to the first row and between rows.
+/// Equal steps of at most dt to the first row and between rows. Between times that are not evenly spaced the core counts them.
 void set_steps(Rows& rows, const Members& members, const Column& dt) {
+    rows.longest_step = dt;
+    if (!rows.given.empty()) return;
     const std::size_t n = dt.length() == 1 ? 1 : members.size();
     rows.steps_to_first.resize(std::max<std::size_t>(n, 1), 1);
     rows.steps_per_row.resize(std::max<std::size_t>(n, 1), 1);
@@ -102,7 +116,8 @@ void set_steps(Rows& rows, const Members& members, const Column& dt) {
 /// Rows from 0 on, as the program has them, as many for all.
 Rows at_intervals(Members& members, const InSeconds& times, bool has_steps) {
     Rows rows{.every = members.column(times.every)};
-    const Column until = members.column(times.until), dt = has_steps ? members.column(times.dt) : rows.every;
+    const bool counts_steps = has_steps && members.size() > 0;  // the rows of no pendulums are those of any
+    const Column until = members.column(times.until), dt = counts_steps ? members.column(times.dt) : rows.every;
     const std::size_t n = rows.every.length() == 1 && until.length() == 1 && dt.length() == 1 ? 1 : members.size();
     rows.steps_per_row.resize(std::max<std::size_t>(n, 1), 1);
     double fewest = INFINITY, most = 0;
@@ -156,7 +171,9 @@ Solved solve_by_steps(const Pendulums& p, const Members& members, Method method,
                                   .every = rows.every,
                                   .rows = rows.count,
                                   .steps_to_first = column_of(rows.steps_to_first),
-                                  .steps_per_row = column_of(rows.steps_per_row)};
+                                  .steps_per_row = column_of(rows.steps_per_row),
+                                  .times = rows.given,
+                                  .dt = rows.longest_step};
         const EnsembleRows to{theta.values(), omega.values(), turns.values()};
         members.require(run_long(many, [&](const Proceed& proceed) {
             return pendula::solve(members.ensemble(), method, tolerance, times, to, {threads, proceed});

@@ -1,14 +1,18 @@
-"""The parameters of pendulums as arguments: by name, with the core's defaults and meanings."""
+"""The arguments of the public functions: by name, with the core's defaults and meanings, with labels or without."""
 
 from __future__ import annotations
 
+import difflib
+import functools
 import inspect
-from typing import TYPE_CHECKING, TypeVar
+from typing import TYPE_CHECKING, TypeVar, cast
 
 import numpy as np
 
 from . import _core
+from ._labels import labels_of
 from ._tables import ParameterValues, PendulumArguments
+from ._words import DRIVEN, INITIAL, PENDULUM
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Mapping
@@ -17,6 +21,7 @@ if TYPE_CHECKING:
     import numpy.typing as npt
 
     from ._tables import Array
+    from ._words import Argument
 
 Function = TypeVar("Function", bound="Callable[..., Any]")
 
@@ -34,8 +39,10 @@ class Parameters(ParameterValues):
         cls, theta0: npt.ArrayLike, omega0: npt.ArrayLike, *others: npt.ArrayLike, **pendulum: Unpack[PendulumArguments]
     ) -> Self:
         """Whatever real numbers are given, as floats and float64."""
-        by_name = PendulumArguments(**dict(zip(cls._fields[2:], others, strict=False)))  # type: ignore[typeddict-item]
-        return cls._make(_core.as_parameters(theta0=theta0, omega0=omega0, **by_name, **known(pendulum, cls._fields)))
+        require_known("Parameters", pendulum, [*cls._fields, "gravity", "length"])
+        by_place = dict(zip(cls._fields[2:], others, strict=False))
+        by_name = with_alpha({**by_place, **pendulum})
+        return cls._make(_core.as_parameters(theta0=theta0, omega0=omega0, **by_name))
 
     @property
     def shape(self) -> tuple[int, ...]:
@@ -53,51 +60,81 @@ def along_time(values: float | Array) -> float | Array:
     return values[..., np.newaxis] if isinstance(values, np.ndarray) else values
 
 
-Given = TypeVar("Given", bound="Mapping[str, object]")
-
-
-def known(given: Given, names: Iterable[str]) -> Given:
-    """What was given by name, if all names are known."""
+def require_known(function: str, given: Iterable[str], names: Iterable[str]) -> None:
+    """Raises TypeError for the first name that is no argument, with the nearest that is one."""
     for name in given:
-        if name not in names:
-            fields = ", ".join(Parameters._fields)
-            raise TypeError(
-                f"{name!r} is no parameter of a pendulum, nor another argument of this call; parameters are {fields}"
-            )
-    return given
+        if name in names:
+            continue
+        near = difflib.get_close_matches(name, names, 1)
+        more = f"did you mean {near[0]!r}?" if near else f"its arguments are {', '.join(names)}"
+        raise TypeError(f"{name!r} is no argument of {function}; {more}")
 
 
-def with_parameters(**settings: object) -> Callable[[Function], Function]:
-    """Makes `help` show the parameters by name, and settings with their defaults, where a function takes them by `**`.
+def with_alpha(given: Mapping[str, object]) -> dict[str, Any]:
+    """As the extension takes them: with alpha in place of gravity and length."""
+    both = ("gravity", "length")
+    rest: dict[str, Any] = {name: value for name, value in given.items() if value is not None or name not in both}
+    if rest.keys().isdisjoint(both):
+        return rest
+    if "alpha" in rest:
+        raise ValueError("alpha cannot be given together with gravity and length")
+    if "gravity" not in rest or "length" not in rest:
+        raise ValueError("gravity and length go together: alpha is gravity/length")
+    rest["alpha"] = _core.stiffness(rest.pop("gravity"), rest.pop("length"))
+    return rest
 
-    {parameters} in its docstring becomes what the core's table says of them.
+
+# Types that have no labels: the rest of them need not be looked at.
+PLAIN = frozenset({float, int, str, type(None), np.ndarray, np.float64, np.int64, list, tuple})
+
+
+def public(*arguments: Argument, apart: tuple[str, ...] = ()) -> Callable[[Function], Function]:
+    """Makes of a function of numbers and arrays what users call.
+
+    Its `**` takes these arguments; others are refused with the nearest name. Series and DataArrays become arrays, and results
+    get their labels; arguments `apart` do not run over pendulums and give none.
+    `help` shows all arguments with their defaults, and {parameters} in the docstring becomes what the core says of them.
     """
 
-    def shown(function: Function) -> Function:
-        own = [each for each in inspect.signature(function).parameters.values() if each.kind != each.VAR_KEYWORD]
-        added = {each.name: each.default for each in _core.parameters if not each.is_initial}
-        by_name = [inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=default) for name, default in added.items()]
-        more = [inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=default) for name, default in settings.items()]
-        places = [each for each in own if each.kind != each.KEYWORD_ONLY]
-        function.__signature__ = inspect.Signature([*places, *by_name, *own[len(places) :], *more])  # type: ignore[attr-defined]
-        function.__doc__ = (function.__doc__ or "").replace("{parameters}", PARAGRAPH)
-        return function
+    def made(function: Function) -> Function:
+        signature = _shown(function, arguments)
+        names = list(signature.parameters)
+        known = frozenset(names)
+        name_of_function = function.__name__
 
-    return shown
+        @functools.wraps(function)
+        def call(*places: object, **given: Any) -> object:
+            if not given.keys() <= known:
+                require_known(name_of_function, given, names)
+            if PLAIN.issuperset(map(type, places)) and PLAIN.issuperset(map(type, given.values())):
+                return function(*places, **given)
+            by_place = dict(zip(names, places, strict=False))
+            labels, values = labels_of(by_place | given, apart)
+            places = (*values.values(),)[: len(by_place)] + places[len(by_place) :]
+            result = function(*places, **{name: values[name] for name in given})
+            return labels.put(result, name_of_function, given.get("carry")) if labels else result
+
+        call.__signature__ = signature  # type: ignore[attr-defined]
+        initial = [each for each in INITIAL if each.name in names]
+        call.__doc__ = (function.__doc__ or "").replace("{parameters}", _paragraph([*initial, *arguments]))
+        return cast("Function", call)
+
+    return made
 
 
-INTERVALS = {
-    _core.Rule.finite: "finite",
-    _core.Rule.positive: "positive",
-    _core.Rule.not_negative: "not negative",
-    _core.Rule.fraction: "between 0 and 1",
-}
-DRIVEN = "A driven pendulum, of which either amplitude is not 0, needs a positive drive_frequency."
-PARAGRAPH = (
-    "\n    ".join(
-        f"{each.name}: {each.symbol}, {each.meaning} [{each.unit}], {INTERVALS[each.interval]}"
-        + ("" if each.is_initial else f"; {each.default:g} if left out")
-        for each in _core.parameters
-    )
-    + f"\n    {DRIVEN}"
-)
+def _shown(function: Callable[..., object], arguments: tuple[Argument, ...]) -> inspect.Signature:
+    """The call without types, which docs have in words."""
+    own = [each.replace(annotation=inspect.Parameter.empty) for each in inspect.signature(function).parameters.values()]
+    places = [each for each in own if each.kind == each.POSITIONAL_OR_KEYWORD]
+    by_name = [each for each in own if each.kind == each.KEYWORD_ONLY]
+    added = [inspect.Parameter(each.name, inspect.Parameter.KEYWORD_ONLY, default=each.default) for each in arguments]
+    return inspect.Signature([*places, *added, *by_name])
+
+
+def _paragraph(arguments: list[Argument]) -> str:
+    lines = [f"{each.name}: {each.line}" for each in arguments]
+    is_driven = any(each.name == "drive_frequency" for each in arguments)
+    return "\n    ".join([*lines, DRIVEN] if is_driven else lines)
+
+
+__all__ = ["INITIAL", "PENDULUM", "Parameters", "along_time", "public", "require_known", "with_alpha"]

@@ -53,6 +53,22 @@ class ResultColumn:
     def has_rows(self) -> bool:
         """More than one value."""
 
+    @property
+    def is_kind(self) -> bool:
+        """The values are those of Kind."""
+
+class Setting:
+    """A number among the settings of a measure."""
+
+    @property
+    def name(self) -> str: ...
+    @property
+    def unit(self) -> str: ...
+    @property
+    def meaning(self) -> str: ...
+    @property
+    def default(self) -> float: ...
+
 class Measure:
     """What there is to know of a measure."""
 
@@ -61,36 +77,25 @@ class Measure:
     @property
     def meaning(self) -> str: ...
     @property
-    def periods(self) -> float:
-        """Where nothing else is asked for."""
-
+    def settings(self) -> tuple[Setting, ...]: ...
     @property
     def columns(self) -> tuple[ResultColumn, ...]: ...
-
-class Strobe:
-    """How pendulums are measured, where nothing else is asked for."""
-
-    def __init__(self) -> None: ...
-    @property
-    def transient(self) -> float: ...
-    @property
-    def periods(self) -> float: ...
-    @property
-    def steps_per_period(self) -> float: ...
-    @property
-    def method(self) -> str: ...
-    @property
-    def tolerance(self) -> float: ...
-    @property
-    def rows(self) -> float: ...
-    @property
-    def match(self) -> float: ...
 
 parameters: tuple[Parameter, ...]
 
 measures: tuple[Measure, ...]
 
+jump_columns: tuple[ResultColumn, ...]
+
 method_names: tuple[str, ...]
+
+strobe_method_names: tuple[str, ...]
+
+plane_names: tuple[str, ...]
+
+direction_names: tuple[str, ...]
+
+carry_names: tuple[str, ...]
 
 class Status(enum.IntEnum):
     """How a program ends."""
@@ -144,7 +149,7 @@ class Regime(enum.IntEnum):
     rotation = 1
 
 def analyze(
-    theta0: numpy.typing.ArrayLike | None, omega0: numpy.typing.ArrayLike | None, alpha: numpy.typing.ArrayLike | None
+    theta0: numpy.typing.ArrayLike | None, omega0: numpy.typing.ArrayLike | None, alpha: numpy.typing.ArrayLike | None = 1.0
 ) -> tuple[Regime | numpy.typing.NDArray[numpy.int8], numpy.typing.NDArray[numpy.float64], numpy.typing.NDArray[numpy.float64]]:
     """regime, theta_max and tau"""
 
@@ -152,7 +157,7 @@ def exact(
     theta0: numpy.typing.ArrayLike | None,
     omega0: numpy.typing.ArrayLike | None,
     t: numpy.typing.ArrayLike | None,
-    alpha: numpy.typing.ArrayLike | None,
+    alpha: numpy.typing.ArrayLike | None = 1.0,
 ) -> tuple[numpy.typing.NDArray[numpy.float64], numpy.typing.NDArray[numpy.float64]]:
     """theta, not wrapped, and omega"""
 
@@ -175,6 +180,17 @@ def sine(
 def energy(
     theta: numpy.typing.ArrayLike | None, omega: numpy.typing.ArrayLike | None, alpha: numpy.typing.ArrayLike | None
 ) -> numpy.typing.NDArray[numpy.float64]: ...
+def amplitude(
+    tau: numpy.typing.ArrayLike | None, alpha: numpy.typing.ArrayLike | None = 1.0
+) -> numpy.typing.NDArray[numpy.float64]:
+    """the inverse of analyze for oscillations"""
+
+def stiffness(
+    gravity: numpy.typing.ArrayLike | None, length: numpy.typing.ArrayLike | None
+) -> numpy.typing.NDArray[numpy.float64]:
+    """gravity/length"""
+
+def to_radians(degrees: numpy.typing.ArrayLike | None) -> numpy.typing.NDArray[numpy.float64]: ...
 def wrap(theta: numpy.typing.ArrayLike | None) -> numpy.typing.NDArray[numpy.float64]: ...
 def unwrap(
     theta: numpy.typing.ArrayLike | None, turns: numpy.typing.ArrayLike | None
@@ -205,16 +221,86 @@ def solve(
     float | numpy.typing.NDArray[numpy.float64] | None,
     tuple[float | numpy.typing.NDArray[numpy.float64], ...],
 ]: ...
+def crossings(
+    *,
+    until: numpy.typing.ArrayLike | None,
+    of: str | None = "theta",
+    at: numpy.typing.ArrayLike | None = 0.0,
+    direction: str | None = "both",
+    tolerance: float | None = 1e-15,
+    threads: int | None = None,
+    theta0: numpy.typing.ArrayLike | None = 0.0,
+    omega0: numpy.typing.ArrayLike | None = 0.0,
+    alpha: numpy.typing.ArrayLike | None = 1.0,
+    beta: numpy.typing.ArrayLike | None = 0.0,
+    torque: numpy.typing.ArrayLike | None = 0.0,
+    drive_amplitude: numpy.typing.ArrayLike | None = 0.0,
+    pivot_amplitude: numpy.typing.ArrayLike | None = 0.0,
+    drive_frequency: numpy.typing.ArrayLike | None = 0.0,
+    drive_phase: numpy.typing.ArrayLike | None = 0.0,
+) -> tuple[
+    numpy.typing.NDArray[numpy.float64],
+    numpy.typing.NDArray[numpy.float64],
+    numpy.typing.NDArray[numpy.float64],
+    numpy.typing.NDArray[numpy.float64],
+]: ...
+def measured_period(
+    *,
+    until: numpy.typing.ArrayLike | None,
+    tolerance: float | None = 1e-15,
+    threads: int | None = None,
+    theta0: numpy.typing.ArrayLike | None = 0.0,
+    omega0: numpy.typing.ArrayLike | None = 0.0,
+    alpha: numpy.typing.ArrayLike | None = 1.0,
+    beta: numpy.typing.ArrayLike | None = 0.0,
+    torque: numpy.typing.ArrayLike | None = 0.0,
+    drive_amplitude: numpy.typing.ArrayLike | None = 0.0,
+    pivot_amplitude: numpy.typing.ArrayLike | None = 0.0,
+    drive_frequency: numpy.typing.ArrayLike | None = 0.0,
+    drive_phase: numpy.typing.ArrayLike | None = 0.0,
+) -> numpy.typing.NDArray[numpy.float64]: ...
+
+class Kind(enum.IntEnum):
+    """
+    What becomes of a motion in the long run. `Kind(k).name` is the word for a value of an array of kinds.
+    """
+
+    unsettled = 0
+    """None of the others up to the budget."""
+
+    fixed_point = 1
+    """
+    At rest: at the bottom, where torque and gravity balance, or at the top.
+    """
+
+    periodic = 2
+    """On a periodic orbit of the strobe map."""
+
+    rotating = 3
+    """Without drive: a limit cycle that turns over and over."""
+
+    quasi_periodic = 4
+    """On an orbit that fills a curve: the exponent is 0 within its error."""
+
+    chaotic = 5
+    """The exponent is above three times its error."""
+
+    conservative = 6
+    """
+    Without friction, drive and shaken pivot: the energy stays, and nothing is approached.
+    """
+
+    unbounded = 7
+    """Without friction: a torque accelerates the motion for ever."""
+
+    lost = 8
+    """The motion leaves the range of doubles."""
+
 def measure(
     measure: str | None,
+    settings: dict[str, object],
     *,
-    transient: float | None = 200.0,
-    periods: float | None = None,
-    steps_per_period: float | None = 1000.0,
-    method: str | None = "rk4",
-    tolerance: float | None = 1e-15,
-    rows: float | None = 0.0,
-    match: float | None = 1e-06,
+    carry: str | None = None,
     threads: int | None = None,
     theta0: numpy.typing.ArrayLike | None = 0.0,
     omega0: numpy.typing.ArrayLike | None = 0.0,
@@ -226,3 +312,23 @@ def measure(
     drive_frequency: numpy.typing.ArrayLike | None = 0.0,
     drive_phase: numpy.typing.ArrayLike | None = 0.0,
 ) -> tuple[numpy.typing.NDArray[numpy.float64], ...]: ...
+def jumps(
+    along: str | None,
+    jump_tolerance: float | None,
+    settings: dict[str, object],
+    *,
+    carry: str | None,
+    threads: int | None = None,
+    theta0: numpy.typing.ArrayLike | None = 0.0,
+    omega0: numpy.typing.ArrayLike | None = 0.0,
+    alpha: numpy.typing.ArrayLike | None = 1.0,
+    beta: numpy.typing.ArrayLike | None = 0.0,
+    torque: numpy.typing.ArrayLike | None = 0.0,
+    drive_amplitude: numpy.typing.ArrayLike | None = 0.0,
+    pivot_amplitude: numpy.typing.ArrayLike | None = 0.0,
+    drive_frequency: numpy.typing.ArrayLike | None = 0.0,
+    drive_phase: numpy.typing.ArrayLike | None = 0.0,
+) -> tuple[numpy.typing.NDArray[numpy.float64], ...]: ...
+def share_error(
+    count: numpy.typing.ArrayLike | None, trials: numpy.typing.ArrayLike | None
+) -> numpy.typing.NDArray[numpy.float64]: ...

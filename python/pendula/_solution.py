@@ -1,8 +1,9 @@
-"""What `solve` returns, and as a dataset of xarray."""
+"""What `solve` returns, and as a dataset of xarray or a table of pandas."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from contextlib import contextmanager
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -10,17 +11,20 @@ import numpy as np
 from . import _core
 from ._arguments import along_time
 from ._closed_form import analyze
+from ._words import attributes
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Iterator, Mapping
 
     import numpy.typing as npt
+    import pandas
     import xarray
     from matplotlib.axes import Axes
 
     from ._arguments import Parameters
     from ._closed_form import Analysis
     from ._core import Regime
+    from ._labels import Labels
     from ._tables import Array
 
 
@@ -41,9 +45,18 @@ class Solution:
     dt: float | Array | None
     """The longest step that was asked for [s]; None by methods that have no step of a chosen length."""
     tolerance: float
+    labels: Labels | None = field(default=None, repr=False)
+    """Of the axes of pendulums, where the arguments had them."""
 
     def __repr__(self) -> str:
         return f"<pendula.Solution by {self.method}: {self.t.shape[-1]} times of pendulums of shape {self.theta.shape[:-1]}>"
+
+    def _repr_html_(self) -> str:
+        return _html(self)
+
+    def with_labels(self, labels: Labels) -> Solution:
+        """The same with labels, which `to_xarray` gives to the axes; the arrays of the solution stay plain."""
+        return replace(self, labels=labels)
 
     @property
     def unwrapped(self) -> Array:
@@ -83,8 +96,18 @@ class Solution:
         return time_series(self, ax=ax)
 
     def to_xarray(self) -> xarray.Dataset:
-        """theta, omega and turns over the parameters that vary and time, with units; those that do not vary are attributes."""
+        """theta, omega, turns and energy over the parameters that vary and time, with units.
+
+        Parameters that do not vary are attributes. ImportError without xarray.
+        """
         return _dataset(self)
+
+    def to_dataframe(self) -> pandas.DataFrame:
+        """One row for each pendulum and time: the parameters that vary, t, theta, omega, turns and energy.
+
+        ImportError without pandas.
+        """
+        return _table(self)
 
     def _closed_form(self, name: str) -> tuple[float | Array, float | Array, float | Array]:
         """theta0, omega0 and alpha as they broadcast against times."""
@@ -94,14 +117,35 @@ class Solution:
         return along_time(parameters.theta0), along_time(parameters.omega0), along_time(parameters.alpha)
 
 
-def _attributes() -> dict[str, dict[str, str]]:
-    """The units and the names in words of all quantities, from the core's tables."""
-    (states,) = (each.columns for each in _core.measures if each.name == "section")
-    as_ascii = str.maketrans("⁻⁰¹²³", "-0123")
-    rows = [("t", "s", "time"), ("dt", "s", "longest step")]
-    rows += [(each.name, each.unit, each.meaning) for each in _core.parameters]
-    rows += [(each.name, each.unit, each.meaning) for each in states]
-    return {name: {"units": unit.translate(as_ascii), "long_name": meaning} for name, unit, meaning in rows}
+@contextmanager
+def _needing(function: str, module: str) -> Iterator[None]:
+    """Says what to install where an optional module is missing."""
+    try:
+        yield
+    except ImportError as error:
+        raise ImportError(f"{function} needs {module}; install it with: pip install 'pendula[{module}]'") from error
+
+
+def _html(solution: Solution) -> str:
+    """The parameters, the method, the shape, and the first and the last rows of the first pendulum."""
+    parameters = ", ".join(
+        f"{name} = {value:g}" if isinstance(value, float) else f"{name}: {value.shape}"
+        for name, value in solution.parameters._asdict().items()
+    )
+    step = "" if solution.dt is None else f", dt = {solution.dt:g}" if isinstance(solution.dt, float) else ", dt of each"
+    step = f", tolerance = {solution.tolerance:g}" if solution.method == "taylor" else step
+    pendulums, rows = solution.theta.shape[:-1], solution.theta.shape[-1]
+    head = f"pendula.Solution by {solution.method}{step}; {parameters}; {rows} times of pendulums of shape {pendulums}"
+    if solution.theta.size == 0:
+        return f"<p>{head}</p>"
+    names = ("t", "theta", "omega", "turns")
+    first = [np.broadcast_to(getattr(solution, name), solution.theta.shape).reshape(-1, rows)[0] for name in names]
+    shown = range(rows) if rows <= 6 else [0, 1, 2, None, rows - 3, rows - 2, rows - 1]
+    lines = ["".join(f"<td>{'…' if row is None else format(column[row], '.6g')}</td>" for column in first) for row in shown]
+    titles = "".join(f"<th>{name}</th>" for name in names)
+    table = "".join(f"<tr>{line}</tr>" for line in lines)
+    which = f"<p>The pendulum at index {(0,) * len(pendulums)}:</p>" if pendulums else ""
+    return f"<p>{head}</p>{which}<table><thead><tr>{titles}</tr></thead><tbody>{table}</tbody></table>"
 
 
 def _own_axes(value: npt.ArrayLike, ndim: int) -> list[int]:
@@ -121,17 +165,19 @@ def _dimension_names(quantities: Mapping[str, npt.ArrayLike], ndim: int) -> list
 
 
 def _dataset(solution: Solution) -> xarray.Dataset:
-    import xarray
-
+    with _needing("to_xarray", "xarray"):
+        import xarray
     ndim = solution.theta.ndim - 1
     parameters: dict[str, float | Array] = solution.parameters._asdict()
-    dims = _dimension_names(parameters, ndim)
+    labels = solution.labels
+    dims = list(labels.dims) if labels else _dimension_names(parameters, ndim)
     shares_times = solution.t.ndim == 1
     time = "t" if shares_times else "row"
     t = (time, solution.t) if shares_times else ((*dims, time), np.broadcast_to(solution.t, solution.theta.shape))
 
-    attributes = _attributes()
-    coordinates: dict[str, object] = {"t": (*t, attributes["t"])}
+    words = attributes()
+    coordinates: dict[str, object] = {**labels.coords} if labels else {}
+    coordinates["t"] = (*t, words["t"])
     constants: dict[str, object] = {
         "method": solution.method,
         "tolerance": solution.tolerance,
@@ -140,8 +186,22 @@ def _dataset(solution: Solution) -> xarray.Dataset:
     for name, value in (parameters if solution.dt is None else parameters | {"dt": solution.dt}).items():
         axes = _own_axes(value, ndim)
         if axes:
-            coordinates[name] = ([dims[axis] for axis in axes], np.squeeze(value), attributes[name])
+            coordinates[name] = ([dims[axis] for axis in axes], np.squeeze(value), words[name])
         else:
             constants[name] = float(np.reshape(value, ()))
-    variables = {name: ((*dims, time), getattr(solution, name), attributes[name]) for name in ("theta", "omega", "turns")}
+    names = ("theta", "omega", "turns", "energy")
+    variables = {name: ((*dims, time), getattr(solution, name), words[name]) for name in names}
     return xarray.Dataset(variables, coordinates, constants)
+
+
+def _table(solution: Solution) -> pandas.DataFrame:
+    with _needing("to_dataframe", "pandas"):
+        import pandas
+    shape = solution.theta.shape
+    parameters: dict[str, float | Array] = solution.parameters._asdict()
+    columns: dict[str, Array] = {
+        name: np.broadcast_to(along_time(value), shape) for name, value in parameters.items() if np.size(value) > 1
+    }
+    columns["t"] = np.broadcast_to(solution.t, shape)
+    columns |= {name: getattr(solution, name) for name in ("theta", "omega", "turns", "energy")}
+    return pandas.DataFrame({name: values.reshape(-1) for name, values in columns.items()})

@@ -72,6 +72,23 @@ SeriesModulus series_modulus(const EnergyBalance& b, double alpha) noexcept {
     return {sqrt(alpha) / b.unit / sqrt(b.rise.hi), -(b.gap / b.rise).hi};
 }
 
+/// minus d K/d ln k', of the complete elliptic integral K as a function of the complementary modulus k', from k^2 and k':
+/// between pi/4 at k' = 1 and 1 at k' = 0. It is K (1 - sum)/k^2 - K with sum = k^2/2 + c_1^2 + 2 c_2^2 + 4 c_3^2 + ... of the
+/// differences in the arithmetic-geometric mean (DLMF 19.8.6), where K - E = K sum.
+double slope(double k_squared, double complement, double integral) noexcept {
+    double a = 0.5 * (1 + complement), g = sqrt(complement);  // the first round
+    double difference = 0.5 * k_squared / (1 + complement);   // (1 - k')/2
+    double sum = 0;
+    for (double weight = 1; difference > 1e-9 * a; weight *= 2) {
+        sum += weight * (difference / k_squared) * difference;
+        const double mean = 0.5 * (a + g);
+        g = sqrt(a * g);
+        difference = difference * difference / (4 * mean);
+        a = mean;
+    }
+    return integral * (0.5 - sum);
+}
+
 Analysis nothing() noexcept { return {Regime::oscillation, __builtin_nan(""), __builtin_nan("")}; }
 
 }  // namespace
@@ -121,6 +138,41 @@ double characteristic_time(const Pendulum& p, State initial) noexcept {
 bool rests_on_top(const Pendulum& p, State initial) noexcept {
     if (p.torque != 0 || p.drive_amplitude != 0 || initial.omega != 0) return false;
     return analyze(p.alpha, initial).regime == Regime::separatrix;
+}
+
+double amplitude_of_period(double alpha, double tau) noexcept {
+    if (!satisfies(Rule::positive, alpha) || !satisfies(Rule::positive, tau)) return __builtin_nan("");
+    const double unit = power_of_two_below(sqrt(alpha));
+    const auto root = sqrt(Number{alpha / unit / unit, 0});
+    const double scaled_tau = tau * unit;
+    if (scaled_tau < (two_pi / root).hi) return __builtin_nan("");
+    if (scaled_tau > 160) return pi;  // root >= 1, so that K > 40
+    const auto integral = root * (0.25 * scaled_tau);
+    const auto quarter_turn = scaled(two_pi, 0.25);
+    const auto above = integral - quarter_turn;
+    if (above.hi <= 0) return 0;
+    // K = (pi/2)(1 + k^2/4 + 9 k^4/64 + 25 k^6/256 + ...) (DLMF 19.5.1), inverted; below 1e-6 the next term is below 1e-18.
+    const double x = (above / quarter_turn).hi;
+    const double small = 4 * x * (1 - x * (2.25 - 3.875 * x));
+    if (x < 1e-6) return 2 * atan2(sqrt(small), sqrt(1 - small));
+    const Number one{1, 0};
+    const double far = 16 * exp(-2 * integral.hi);  // K = ln(4/k') + ... (DLMF 19.12.1)
+    auto square = x < 0.3 ? one - Number{small, 0} : Number{far, 0};
+    auto rest = one - square;
+    // K is nearly linear in ln k', so that Newton's method doubles the digits from the start.
+    for (int iteration = 0; iteration < 6; ++iteration) {
+        const auto excess = quarter_turn / agm(one, sqrt(square)) - integral;
+        const double step = 2 * excess.hi / slope(rest.hi, sqrt(square.hi), integral.hi);
+        const double factor = abs(step) < 0.1 ? step * (1 + 0.5 * step) : exp(step) - 1;
+        if (rest.hi < 0.5) {
+            rest = rest - square * factor;
+            square = one - rest;
+        } else {
+            square = square + square * factor;
+            rest = one - square;
+        }
+    }
+    return 2 * atan2(sqrt(rest).hi, sqrt(square).hi);
 }
 
 double series_terms(double alpha, State initial, double epsilon) noexcept {

@@ -31,8 +31,15 @@ struct EnsembleCall {
                              .rows = static_cast<double>(times.rows),
                              .steps_per_row = times.steps_per_row[member],
                              .first = times.first[member],
-                             .steps_to_first = times.steps_to_first[member]},
+                             .steps_to_first = times.steps_to_first[member],
+                             .times = times.times,
+                             .dt = times.dt[member]},
                 .tolerance = tolerance};
+    }
+
+    double time_of(std::size_t member, std::size_t row) const noexcept {
+        if (!times.times.empty()) return times.times[row];
+        return times.first[member] + static_cast<double>(row) * times.every[member];
     }
 
     void put_row(const Members& m, std::size_t row) const noexcept {
@@ -72,7 +79,7 @@ struct EnsembleCall {
         for (int i = 0; i < chunk_size; ++i) own[i] = counts[i] == count ? length[i] : 0;
         if (!rk4_over(m.chunk, start, own, count, false, most, thread, [] {})) return false;
         for (int i = 0; i < m.chunk.count; ++i)
-            if (counts[i] != count) restore_member(m.chunk, before, i);
+            if (counts[i] != count) copy_motion(before, i, m.chunk, i);
         return true;
     }
 
@@ -81,9 +88,14 @@ struct EnsembleCall {
         bool moves = false;
         for (int i = 0; i < chunk_size; ++i) {
             const std::size_t member = m.number[i < m.chunk.count ? i : 0];
-            start[i] = row == 0 ? 0 : times.first[member] + static_cast<double>(row - 1) * times.every[member];
-            length[i] = row == 0 ? times.first[member] : times.every[member];
-            counts[i] = row == 0 ? times.steps_to_first[member] : times.steps_per_row[member];
+            start[i] = row == 0 ? 0 : time_of(member, row - 1);
+            if (!times.times.empty()) {
+                length[i] = times.times[row] - start[i];
+                counts[i] = length[i] > 0 ? steps_in(length[i], times.dt[member]) : 1;
+            } else {
+                length[i] = row == 0 ? times.first[member] : times.every[member];
+                counts[i] = row == 0 ? times.steps_to_first[member] : times.steps_per_row[member];
+            }
             moves = moves || length[i] > 0;
         }
         if (!moves) return true;
@@ -108,8 +120,7 @@ struct EnsembleCall {
         Row t = {};
         start_taylor(steps, m.chunk, tolerance, t);
         for (std::size_t row = 0; row < times.rows; ++row) {
-            for (int i = 0; i < m.chunk.count; ++i)
-                t[i] = times.first[m.number[i]] + static_cast<double>(row) * times.every[m.number[i]];
+            for (int i = 0; i < m.chunk.count; ++i) t[i] = time_of(m.number[i], row);
             if (!taylor_to(m.chunk, steps, t, false, thread)) return;
             restore_resting(m.chunk);
             put_row(m, row);
@@ -118,18 +129,19 @@ struct EnsembleCall {
     }
 };
 
-Refusal check_times(const Ensemble& ensemble, const EnsembleTimes& times) noexcept {
+Refusal check_when(const Ensemble& ensemble, const EnsembleTimes& times) noexcept {
     const std::pair<const char*, const Column*> columns[] = {{"first", &times.first},
                                                              {"every", &times.every},
                                                              {"steps_to_first", &times.steps_to_first},
-                                                             {"steps_per_row", &times.steps_per_row}};
+                                                             {"steps_per_row", &times.steps_per_row},
+                                                             {"dt", &times.dt}};
     for (const auto& [name, column] : columns)
         if (!column->fits(ensemble.size))
             return {.reason = Refusal::Reason::length,
                     .name = name,
                     .value = static_cast<double>(column->length()),
                     .least = static_cast<double>(ensemble.size)};
-    return {};
+    return times.times.empty() ? Refusal{} : check_times(times.times, static_cast<double>(times.rows));
 }
 
 Refusal check_rows(const Ensemble& ensemble, const EnsembleTimes& times, const EnsembleRows& rows) noexcept {
@@ -145,8 +157,9 @@ std::unique_ptr<std::size_t[]> order_by_steps(std::size_t size, const EnsembleTi
     std::unique_ptr<std::size_t[]> order(new (std::nothrow) std::size_t[size]);
     if (!order) return order;
     for (std::size_t i = 0; i < size; ++i) order[i] = i;
+    const Column& steps = times.times.empty() ? times.steps_per_row : times.dt;
     std::sort(order.get(), order.get() + size, [&](std::size_t a, std::size_t b) {
-        const double steps_of_a = times.steps_per_row[a], steps_of_b = times.steps_per_row[b];
+        const double steps_of_a = steps[a], steps_of_b = steps[b];
         return steps_of_a != steps_of_b ? steps_of_a < steps_of_b : a < b;
     });
     return order;
@@ -158,9 +171,9 @@ Outcome solve(const Ensemble& ensemble, Method method, double tolerance, const E
               const Control& control) noexcept {
     const EnsembleCall call{ensemble, method, tolerance, times, rows};
     if (const auto refusal = check_call(ensemble, control)) return refusal;
-    if (const auto refusal = check_times(ensemble, times)) return refusal;
+    if (const auto refusal = check_when(ensemble, times)) return refusal;
     if (const auto refusal = check_rows(ensemble, times, rows)) return refusal;
-    const auto check_member = [&](std::size_t member, const Pendulum&) { return check(call.problem(member)); };
+    const auto check_member = [&](std::size_t member, const Pendulum&) { return check_but_times(call.problem(member)); };
     if (const auto refusal = check_each(ensemble, check_member)) return refusal;
 
     const double units = static_cast<double>(ensemble.size) * static_cast<double>(times.rows);
@@ -169,7 +182,8 @@ Outcome solve(const Ensemble& ensemble, Method method, double tolerance, const E
         return for_each_piece(ensemble.size, units, control,
                               [&](Thread& thread, std::size_t member) { call.member_rows(thread, member); });
     std::unique_ptr<std::size_t[]> order;
-    if (method == Method::rk4 && (times.steps_per_row.length() > 1 || times.steps_to_first.length() > 1)) {
+    if (method == Method::rk4 &&
+        (times.steps_per_row.length() > 1 || times.steps_to_first.length() > 1 || times.dt.length() > 1)) {
         order = order_by_steps(ensemble.size, times);
         if (!order) return Refusal{.reason = Refusal::Reason::memory, .name = "ensemble"};
     }

@@ -55,9 +55,9 @@ void restore_resting(Chunk& c) noexcept {
             kernels::store<double, kernels::Motion>(c.motion, i, {c.resting_theta[i], 0, c.resting_turns[i], 0, 0});
 }
 
-void restore_member(Chunk& now, const Chunk& before, int i) noexcept {
-    kernels::store<double, kernels::Motion>(now.motion, i, kernels::load<double, kernels::Motion>(before.motion, i));
-    kernels::store<double, kernels::Tangent>(now.tangent, i, kernels::load<double, kernels::Tangent>(before.tangent, i));
+void copy_motion(const Chunk& from, int i, Chunk& to, int j) noexcept {
+    kernels::store<double, kernels::Motion>(to.motion, j, kernels::load<double, kernels::Motion>(from.motion, i));
+    kernels::store<double, kernels::Tangent>(to.tangent, j, kernels::load<double, kernels::Tangent>(from.tangent, i));
 }
 
 bool taylor_to(Chunk& chunk, kernels::TaylorChunk& steps, const kernels::Row& t, bool has_tangent, Thread& thread) noexcept {

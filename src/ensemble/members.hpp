@@ -18,8 +18,8 @@ void load_members(Members& members, const Ensemble& ensemble, std::size_t first,
 /// Restores the states of members that rest at the top, after a kernel has integrated them like the others.
 void restore_resting(kernels::Chunk& chunk) noexcept;
 
-/// Restores member i of a chunk to its state in another chunk, before a kernel was called.
-void restore_member(kernels::Chunk& now, const kernels::Chunk& before, int i) noexcept;
+/// Copies the motion and the displacement of member i of a chunk to place j of another, or of the same one.
+void copy_motion(const kernels::Chunk& from, int i, kernels::Chunk& to, int j) noexcept;
 
 /// Integrates all members of a chunk to their times t [s] by Taylor's method. Returns false if the call was stopped.
 bool taylor_to(kernels::Chunk& chunk, kernels::TaylorChunk& steps, const kernels::Row& t, bool has_tangent,

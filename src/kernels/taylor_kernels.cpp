@@ -21,32 +21,31 @@ T target_times(const Chunk& chunk, const TaylorChunk& steps, const Row& t, int i
 
 /// Advances the lanes that have not reached their targets by one step. The other lanes compute their present step again, with
 /// the same result.
-template <bool has_tangent>
-void next_step(const TaylorPendulum<T>& p, StepControl control, const Mask<T>& goes_on, TaylorStep<T>& step,
+template <int order, bool has_tangent>
+void next_step(const TaylorPendulum<T>& p, double log2_fraction, const Mask<T>& goes_on, TaylorStep<T>& step,
                TangentStep<T>& tangent) {
-    if constexpr (has_tangent) tangent.start = choose(goes_on, tangent_at(tangent, step.unit, step.length), tangent.start);
-    step.start = choose(goes_on, motion_at(step, step.length), step.start);
+    if constexpr (has_tangent)
+        tangent.start = choose(goes_on, tangent_at<order>(tangent, step.unit, step.length), tangent.start);
+    step.start = choose(goes_on, motion_at<order>(step, step.length), step.start);
     const auto t = end_of(step.t, step.t_lo, step.length);
     step.t = select<T>(goes_on, t.hi, step.t);
     step.t_lo = select<T>(goes_on, t.lo, step.t_lo);
     Series<T> C;
-    expand(p, control, step, C);
+    expand<order>(p, step, C);
+    T log2 = log2_length_of<order, T>(step, log2_fraction);
     if constexpr (has_tangent) {
-        expand_tangent(p, control.order, step.unit, C, tangent);
-        // If the motion hardly changes, as near the top, its series would allow steps that are too long for the displacement.
-        if (const auto is_shaken = p.parameters.pivot_amplitude != 0.0; any<T>(is_shaken)) {
-            const T longest = taylor_length(control, tangent.u[0], tangent.u) * step.unit;
-            step.length = select<T>(is_shaken & (longest < step.length), longest, step.length);
-        }
+        expand_tangent<order>(p, step.unit, C, tangent);
+        // If the motion hardly changes, its series would allow steps that are too long for the displacement.
+        log2 = smaller(log2, log2_length<order>(log2_fraction, tangent.u[0], tangent.u));
     }
+    set_length<order>(step, log2);
 }
 
 /// Integrates the members i, i + 1, ... of one pack to their target times by at most `most` steps, and stores their states
 /// there in the chunk. Returns false if more steps are needed.
-template <bool has_tangent>
+template <int order, bool has_tangent>
 bool advance_pack(Chunk& chunk, TaylorChunk& steps, const Row& t, int most, int i) {
     const auto p = taylor_pendulum(load<T, Parameters>(chunk.parameters, i));
-    const StepControl control{steps.order, steps.log2_fraction};
     const T target = target_times(chunk, steps, t, i);
     auto step = load<T, TaylorStep>(steps.step, i);
     TangentStep<T> tangent{};
@@ -54,25 +53,28 @@ bool advance_pack(Chunk& chunk, TaylorChunk& steps, const Row& t, int most, int 
     int taken = 0;
     auto goes_on = ends_before(step, target);
     for (; taken < most && any<T>(goes_on); ++taken) {
-        next_step<has_tangent>(p, control, goes_on, step, tangent);
+        next_step<order, has_tangent>(p, steps.log2_fraction, goes_on, step, tangent);
         stop_endless(step, target);
         goes_on = ends_before(step, target);
     }
     if (taken > 0) store<T, TaylorStep>(steps.step, i, step);
     const T since = (target - step.t) - step.t_lo;
-    store<T, Motion>(chunk.motion, i, motion_at(step, since));
+    store<T, Motion>(chunk.motion, i, motion_at<order>(step, since));
     if constexpr (has_tangent) {
         store<T, TangentStep>(steps.tangent, i, tangent);
-        store<T, Tangent>(chunk.tangent, i, tangent_at(tangent, step.unit, since));
+        store<T, Tangent>(chunk.tangent, i, tangent_at<order>(tangent, step.unit, since));
     }
     return !any<T>(goes_on);
 }
 
 template <bool has_tangent>
 bool advance_chunk(Chunk& chunk, TaylorChunk& steps, const Row& t, int most) {
-    bool all_there = true;
-    for (int i = 0; i < chunk.count; i += lanes<T>) all_there &= advance_pack<has_tangent>(chunk, steps, t, most, i);
-    return all_there;
+    return with_order(steps.order, [&](auto order) {
+        bool all_there = true;
+        for (int i = 0; i < chunk.count; i += lanes<T>)
+            all_there &= advance_pack<order.value, has_tangent>(chunk, steps, t, most, i);
+        return all_there;
+    });
 }
 
 }  // namespace

@@ -3,101 +3,36 @@
 #include <new>
 
 #include "arithmetic/pack.hpp"
-#include "measures/strobe.hpp"
+#include "measures/settle.hpp"
 #include "pendula/angle.hpp"
 
 namespace pendula {
 
 using arithmetic::abs;
-using arithmetic::round_even;
-using kernels::chunk_size;
 
 namespace {
 
 constexpr int most_attractors = 256;  // for one set of parameters
 
 /// The columns of the results, in the order of `attractors_columns`.
-enum { label_column, period_column, rotation_column, theta_column, omega_column };
+enum { label_column, kind_column, period_column, rotation_column, theta_column, omega_column };
 
-bool precedes(State a, State b) noexcept { return a.theta < b.theta || (a.theta == b.theta && a.omega < b.omega); }
+/// An angle for comparisons: one just below pi counts as one just above -pi, so that rounding does not decide.
+double place_of(double theta) noexcept { return theta > pi - 0x1p-30 ? theta - 2 * pi : theta; }
 
-State state_at(const StrobedMembers& m, int i) noexcept { return {m.chunk.motion.theta[i], m.chunk.motion.omega[i]}; }
+bool precedes(State a, State b) noexcept {
+    const double of_a = place_of(a.theta), of_b = place_of(b.theta);
+    return of_a < of_b || (of_a == of_b && a.omega < b.omega);
+}
 
-/// Brent's algorithm for cycles (BIT 20, 1980). The orbit is compared with a reference point, which is replaced by the present
-/// point after 1, 2, 4, 8, ... periods. So a cycle that is reached late is found too, and always with its smallest period.
-struct CycleSearch {
-    double since = 0;   ///< number of the period at which the reference point was taken
-    double period = 0;  ///< 0 until the orbit has returned to the reference point
-    State start, least;
-    double start_turns;
-    double rotation;
-
-    void begin(State at, double turns) noexcept {
-        start = least = at;
-        start_turns = turns;
-    }
-
-    void look(State at, double turns, double done, double match, double frequency) noexcept {
-        if (period > 0) return;
-        const double distance = wrap(at.theta - start.theta);
-        if (abs(distance) <= match && abs(at.omega - start.omega) <= match * frequency) {
-            period = done - since;
-            rotation = round_even((turns - start_turns) + (at.theta - start.theta) / (2 * pi)) / period;
-        } else if (done == (since == 0 ? 1 : 2 * since)) {
-            since = done;
-            begin(at, turns);
-        } else if (precedes(at, least)) {
-            least = at;
-        }
-    }
-};
-
-/// Finds the periodic orbits on which the members end. Labels are set afterwards.
-struct OrbitObserver {
-    static constexpr bool has_tangent = false;
-    const MeasureCall& call;
-    CycleSearch searches[chunk_size];
-    kernels::Motion<kernels::Row> first;
-
-    explicit OrbitObserver(const MeasureCall& of) noexcept : call(of) {}
-
-    bool start(StrobedMembers& m) noexcept {
-        first = m.chunk.motion;
-        for (int i = 0; i < m.chunk.count; ++i) searches[i].begin(state_at(m, i), first.turns[i]);
-        return true;
-    }
-
-    bool at_strobe(const StrobedMembers& m, double done) noexcept {
-        bool is_settled = true;
-        for (int i = 0; i < m.chunk.count; ++i) {
-            searches[i].look(state_at(m, i), m.chunk.motion.turns[i], done, call.strobe.match, m.frequency[i]);
-            is_settled = is_settled && searches[i].period > 0;
-        }
-        return !is_settled;
-    }
-
-    void finish(const StrobedMembers& m) noexcept {
-        for (int i = 0; i < m.chunk.count; ++i) {
-            const auto& s = searches[i];
-            const auto last = state_at(m, i);
-            const bool is_periodic = s.period > 0;
-            const double turned = (m.chunk.motion.turns[i] - first.turns[i]) + (last.theta - first.theta[i]) / (2 * pi);
-            const std::size_t member = m.number[i];
-            call.result(label_column, 0, member) = 0;
-            call.result(period_column, 0, member) = last.theta == last.theta ? s.period : last.theta;
-            call.result(rotation_column, 0, member) = is_periodic ? s.rotation : turned / call.strobe.periods;
-            call.result(theta_column, 0, member) = is_periodic ? s.least.theta : last.theta;
-            call.result(omega_column, 0, member) = is_periodic ? s.least.omega : last.omega;
-        }
-    }
-};
-
-/// A periodic orbit on which some members end.
+/// An orbit on which some members end.
 struct Attractor {
+    double kind;
     double period;
     double rotation;
     State point;  ///< the point of the orbit with the smallest theta
     int number;
+    std::size_t exemplar;  ///< the first member on it
 };
 
 bool precedes(const Attractor& a, const Attractor& b) noexcept {
@@ -119,14 +54,22 @@ struct ParameterGroup {
 
     /// The orbit of a member without a label, as a new attractor with this number.
     Attractor attractor_of(std::size_t i, int number) const noexcept {
-        return {
-            result(period_column, i), result(rotation_column, i), {result(theta_column, i), result(omega_column, i)}, number};
+        return {result(kind_column, i),
+                result(period_column, i),
+                result(rotation_column, i),
+                {result(theta_column, i), result(omega_column, i)},
+                number,
+                i};
     }
 
+    /// Whether the orbit of a member passes a point of the attractor. The period of a limit cycle is measured; that of other
+    /// orbits is a whole number.
     bool is_on(std::size_t i, const Attractor& a, State point, double frequency) const noexcept {
         const double match = call.strobe.match;
-        return result(label_column, i) == 0 && result(period_column, i) == a.period &&
-               result(rotation_column, i) == a.rotation && abs(wrap(result(theta_column, i) - point.theta)) <= match &&
+        const bool is_cycle = a.kind == static_cast<double>(Kind::rotating);
+        return result(label_column, i) == 0 && result(kind_column, i) == a.kind &&
+               (is_cycle || (result(period_column, i) == a.period && result(rotation_column, i) == a.rotation)) &&
+               abs(wrap(result(theta_column, i) - point.theta)) <= match &&
                abs(result(omega_column, i) - point.omega) <= match * frequency;
     }
 
@@ -136,13 +79,14 @@ struct ParameterGroup {
         Ensemble alone{.size = 1, .theta = a.point.theta, .omega = a.point.omega};
         for (const auto& parameter : parameters)
             if (parameter.value) alone.*parameter.column = (call.ensemble.*parameter.column)[members[exemplar]];
-        alone.drive_phase = 0.0;  // the point belongs to a time at which the phase of the drive is 0
+        alone.drive_phase = call.strobe.phase;  // the point belongs to a time of the strobe
         StrobedMembers m;
         load_strobed(m, alone, 0);
         const Propagation run{call.strobe, thread, false};
-        for (double done = 0; done < a.period; ++done) {
+        const bool is_cycle = a.kind == static_cast<double>(Kind::rotating);
+        for (double done = 0; done < (is_cycle ? 1 : a.period); ++done) {
             if (done > 0 && !integrate_to_next_strobe(m, run)) return false;
-            const auto point = done == 0 ? a.point : state_at(m, 0);
+            const State point = done == 0 ? a.point : State{m.chunk.motion.theta[0], m.chunk.motion.omega[0]};
             if (precedes(point, a.point)) a.point = point;
             for (std::size_t i = exemplar; i < size; ++i)
                 if (is_on(i, a, point, m.frequency[0])) result(label_column, i) = a.number;
@@ -158,16 +102,23 @@ struct ParameterGroup {
         for (std::size_t i = 0; i < size && count < most_attractors; ++i) {
             if (result(label_column, i) != 0 || !(result(period_column, i) > 0)) continue;
             found[count] = attractor_of(i, count + 1);
-            if (size == 1) {
-                result(label_column, i) = 1;
-                return;
-            }
             if (!collect(found[count++], i)) return;
         }
         std::sort(found, found + count, [](const Attractor& a, const Attractor& b) { return precedes(a, b); });
         int rank[most_attractors + 1] = {};
         for (int i = 0; i < count; ++i) rank[found[i].number] = i + 1;
-        for (std::size_t i = 0; i < size; ++i) result(label_column, i) = rank[static_cast<int>(result(label_column, i))];
+        for (std::size_t i = 0; i < size; ++i) {
+            const int label = rank[static_cast<int>(result(label_column, i))];
+            result(label_column, i) = label;
+            if (label == 0) continue;
+            const auto& a = found[label - 1];
+            result(period_column, i) = a.period;
+            result(rotation_column, i) = a.rotation;
+            result(theta_column, i) = a.point.theta;
+            result(omega_column, i) = a.point.omega;
+            for (std::size_t detail = omega_column + 1; detail < std::size(attractors_columns); ++detail)
+                if (call.has(detail)) call.result(detail, 0, members[i]) = call.result(detail, 0, members[a.exemplar]);
+        }
     }
 };
 
@@ -204,7 +155,21 @@ Outcome measure_attractors(const MeasureCall& call, const Control& control) noex
     const std::unique_ptr<std::size_t[]> members(new (std::nothrow) std::size_t[size]),
         starts(new (std::nothrow) std::size_t[size + 1]);
     if (!members || !starts) return Refusal{.reason = Refusal::Reason::memory, .name = "ensemble"};
-    if (const auto outcome = observe<OrbitObserver>(call, part_of(control, 0, share_of_orbits)); !outcome.is_done())
+    const auto put = [&](std::size_t member, const Fate& fate) {
+        const bool is_lost = fate.kind == Kind::lost;
+        const double values[] = {0,
+                                 static_cast<double>(fate.kind),
+                                 is_lost ? nan : fate.period,
+                                 fate.rotation.value,
+                                 fate.end.theta,
+                                 fate.end.omega,
+                                 fate.rotation.error,
+                                 fate.exponent.value,
+                                 fate.exponent.error};
+        call.put(member, values);
+    };
+    if (const auto outcome = settle(call.ensemble, call.strobe, {}, part_of(control, 0, share_of_orbits), put);
+        !outcome.is_done())
         return outcome;
     const std::size_t groups = group_by_parameters(call.ensemble, members.get(), starts.get());
     return for_each_piece(groups, static_cast<double>(size), part_of(control, share_of_orbits, 1),

@@ -1,6 +1,8 @@
 #include "measures/strobe.hpp"
 
+#include "arithmetic/double_double.hpp"
 #include "arithmetic/exponential.hpp"
+#include "kernels/packs.hpp"
 #include "kernels/rk4_kernel.hpp"
 #include "pendula/angle.hpp"
 
@@ -15,7 +17,6 @@ using kernels::Row;
 
 namespace {
 
-constexpr double nan = __builtin_nan("");
 constexpr double two_pi = 2 * pi;
 
 /// Rescales the displacement of member i to length 1, and adds the logarithm of its growth.
@@ -72,7 +73,7 @@ bool take_taylor_steps(StrobedMembers& m, const Row& length, const Propagation& 
         if (!taylor_to(m.chunk, steps, target, run.has_tangent, run.thread)) return false;
         for (int i = 0; i < m.chunk.count; ++i) {
             if (piece >= pieces[i])
-                restore_member(m.chunk, before, i);
+                copy_motion(before, i, m.chunk, i);
             else if (run.has_tangent)
                 renormalise(m, i);
             start[i] = target[i];
@@ -94,7 +95,7 @@ bool integrate(StrobedMembers& m, const Row& length, const Propagation& run) noe
 
 double strobe_frequency(const Pendulum& p) noexcept {
     if (p.drive_frequency > 0) return p.drive_frequency;
-    return !is_driven(p) && p.drive_frequency == 0 ? sqrt(p.alpha) : nan;
+    return !is_driven(p) && p.drive_frequency == 0 ? sqrt(p.alpha) : __builtin_nan("");
 }
 
 double fewest_steps(const Pendulum& p) noexcept {
@@ -109,22 +110,42 @@ void load_strobed(StrobedMembers& m, const Ensemble& ensemble, std::size_t first
         m.frequency[i] = strobe_frequency(p);
         m.period[i] = two_pi / m.frequency[i];
         m.root_alpha[i] = sqrt(p.alpha);
-        m.growth[i] = 0;
+        m.growth[i] = m.first[i] = 0;
+        m.has_phase[i] = p.drive_frequency != 0;
     }
 }
 
+void move_member(StrobedMembers& m, int from, int to) noexcept {
+    if (from == to) return;
+    kernels::store<double, kernels::Parameters>(m.chunk.parameters, to,
+                                                kernels::load<double, kernels::Parameters>(m.chunk.parameters, from));
+    copy_motion(m.chunk, from, m.chunk, to);
+    m.chunk.is_resting[to] = m.chunk.is_resting[from];
+    m.chunk.resting_theta[to] = m.chunk.resting_theta[from];
+    m.chunk.resting_turns[to] = m.chunk.resting_turns[from];
+    m.number[to] = m.number[from];
+    m.has_phase[to] = m.has_phase[from];
+    for (Row* row : {&m.frequency, &m.period, &m.root_alpha, &m.growth, &m.first}) (*row)[to] = (*row)[from];
+}
+
 bool integrate_to_first_strobe(StrobedMembers& m, const Propagation& run) noexcept {
-    Row length;
     bool moves = false;
     for (int i = 0; i < chunk_size; ++i) {
-        const double phase = wrap(-m.chunk.parameters.drive_phase[i]);
-        length[i] = (phase < 0 ? phase + two_pi : phase) / m.frequency[i];
-        moves = moves || length[i] > 0;
+        const auto ahead = arithmetic::two_sum(run.strobe.phase, -m.chunk.parameters.drive_phase[i]);
+        const double phase = wrap(ahead.hi) + ahead.lo;
+        m.first[i] = m.has_phase[i] ? (phase < 0 ? phase + two_pi : phase) / m.frequency[i] : 0;
+        moves = moves || m.first[i] > 0;
     }
     if (!moves) return true;
-    if (!integrate(m, length, {run.strobe, run.thread, false})) return false;
-    for (double& phase : m.chunk.parameters.drive_phase) phase = 0;
+    if (!integrate(m, m.first, {run.strobe, run.thread, false})) return false;
+    for (double& phase : m.chunk.parameters.drive_phase) phase = run.strobe.phase;
     return true;
+}
+
+double time_of_strobe(const StrobedMembers& m, int i, double n) noexcept {
+    using arithmetic::DoubleDouble;
+    const auto turned = DoubleDouble<double>{arithmetic::two_pi_dd[0], arithmetic::two_pi_dd[1]} * n;
+    return (turned / DoubleDouble<double>{m.frequency[i], 0} + m.first[i]).hi;
 }
 
 bool integrate_to_next_strobe(StrobedMembers& m, const Propagation& run) noexcept { return integrate(m, m.period, run); }

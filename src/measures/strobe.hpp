@@ -8,10 +8,12 @@ namespace pendula {
 
 /// A chunk of members at a strobe time.
 struct StrobedMembers : Members {
-    kernels::Row frequency;   ///< of the strobe [rad/s]
-    kernels::Row period;      ///< of the strobe [s]
-    kernels::Row root_alpha;  ///< sqrt(alpha), the unit of d omega in the length of a displacement [s^-1]
-    kernels::Row growth;      ///< the logarithm of the growth of the displacements, which are rescaled to length 1
+    kernels::Row frequency;               ///< of the strobe [rad/s]
+    kernels::Row period;                  ///< of the strobe [s]
+    kernels::Row root_alpha;              ///< sqrt(alpha), the unit of d omega in the length of a displacement [s^-1]
+    kernels::Row growth;                  ///< the logarithm of the growth of the displacements, which are rescaled to length 1
+    kernels::Row first;                   ///< the time of the first strobe [s]
+    bool has_phase[kernels::chunk_size];  ///< drive_frequency is not 0, so that the strobe has a phase
 };
 
 /// How members are integrated to the next strobe time, and by which thread.
@@ -31,6 +33,12 @@ bool integrate_to_first_strobe(StrobedMembers& members, const Propagation& run) 
 /// Integrates members to the next strobe time, and their displacements if has_tangent is true.
 bool integrate_to_next_strobe(StrobedMembers& members, const Propagation& run) noexcept;
 
+/// The time of strobe number n of member i [s], to the last digit.
+double time_of_strobe(const StrobedMembers& members, int i, double n) noexcept;
+
+/// Replaces a member by another one of the chunk.
+void move_member(StrobedMembers& members, int from, int to) noexcept;
+
 /// The arguments of one call of `measure`.
 struct MeasureCall {
     const Ensemble& ensemble;
@@ -40,40 +48,23 @@ struct MeasureCall {
     double& result(std::size_t column, std::size_t row, std::size_t member) const noexcept {
         return columns[column][row * ensemble.size + member];
     }
+
+    /// Whether a column is wanted: details may be left out.
+    bool has(std::size_t column) const noexcept { return column < columns.size() && !columns[column].empty(); }
+
+    void set(std::size_t column, std::size_t row, std::size_t member, double value) const noexcept {
+        if (has(column)) result(column, row, member) = value;
+    }
+
+    /// Sets the first columns of a member, which have one row each.
+    template <std::size_t n>
+    void put(std::size_t member, const double (&values)[n]) const noexcept {
+        for (std::size_t column = 0; column < n; ++column) set(column, 0, member, values[column]);
+    }
 };
 
-/// Runs one observer for every chunk of members, on several threads. An observer is constructed from the call and has
-///     static constexpr bool has_tangent             whether displacements are integrated
-///     bool start(StrobedMembers&)                   called after the transient
-///     bool at_strobe(const StrobedMembers&, done)   called after each measured period; `done` is their number so far
-///     void finish(const StrobedMembers&)            called at the end; writes the remaining results
-/// If start or at_strobe returns false, the remaining periods are skipped.
-template <class Observer>
-Outcome observe(const MeasureCall& call, const Control& control) noexcept {
-    const Strobe& strobe = call.strobe;
-    const double units = static_cast<double>(call.ensemble.size) * (strobe.transient + strobe.periods);
-    return for_each_piece(chunks_of(call.ensemble.size), units, control, [&](Thread& thread, std::size_t chunk) {
-        const Propagation run{strobe, thread, Observer::has_tangent};
-        StrobedMembers m;
-        load_strobed(m, call.ensemble, chunk * kernels::chunk_size);
-        if (!integrate_to_first_strobe(m, run)) return;
-        const auto go_on = [&] {
-            if (!integrate_to_next_strobe(m, run)) return false;
-            thread.report(m.chunk.count);
-            return true;
-        };
-        for (double done = 0; done < strobe.transient; ++done)
-            if (!go_on()) return;
-        Observer observer(call);
-        double done = 0;
-        for (bool goes_on = observer.start(m); goes_on && done < strobe.periods;) {
-            if (!go_on()) return;
-            goes_on = observer.at_strobe(m, ++done);
-        }
-        thread.report(m.chunk.count * (strobe.periods - done));
-        observer.finish(m);
-    });
-}
+/// Why a call of `measure` is refused, or no refusal.
+Refusal check(Measure what, const MeasureCall& call, const Control& control) noexcept;
 
 /// A control for a part of a call: its progress runs from one fraction of the whole call to another. The given control must
 /// outlive it.
@@ -81,7 +72,7 @@ inline Control part_of(const Control& control, double from, double to) noexcept 
     return {control.threads, [&control, from, to](double done) { return control.proceed(from + done * (to - from)); }};
 }
 
-Outcome measure_lyapunov(const MeasureCall& call, const Control& control) noexcept;
+Outcome measure_section(const MeasureCall& call, const Control& control) noexcept;
 Outcome measure_attractors(const MeasureCall& call, const Control& control) noexcept;
 
 }  // namespace pendula

@@ -1,12 +1,14 @@
 #include "pendula/crossings.hpp"
 
 #include "checks.hpp"
+#include "pendula/analysis.hpp"
+#include "pendula/angle.hpp"
+#include "trajectory/period.hpp"
 #include "trajectory/scalar.hpp"
 
 namespace pendula {
 
 using namespace arithmetic;
-using kernels::motion_at;
 
 namespace {
 
@@ -16,13 +18,19 @@ constexpr int most_terms = kernels::taylor_order_limit + 1;
 struct Polynomial {
     double a[most_terms];
     int terms;
-
-    double operator()(double x) const noexcept {
-        double sum = 0;
-        for (int k = terms - 1; k >= 0; --k) sum = sum * x + a[k];
-        return sum;
-    }
 };
+
+/// A value and its rate of change.
+struct Linear {
+    double value;
+    double rate;
+};
+
+Linear at(const Polynomial& p, double x) noexcept {
+    Linear sum{};
+    for (int k = p.terms - 1; k >= 0; --k) sum = {sum.value * x + p.a[k], sum.rate * x + sum.value};
+    return sum;
+}
 
 Polynomial derivative(const Polynomial& p) noexcept {
     Polynomial d{{}, p.terms - 1};
@@ -30,132 +38,199 @@ Polynomial derivative(const Polynomial& p) noexcept {
     return d;
 }
 
-/// True if |a[0]| > sum |a[k]|, so that p has no zero on [0, 1].
-bool keeps_its_sign(const Polynomial& p) noexcept {
+/// The point between `low` and `high` where a function from points to `Linear` changes its sign, by Newton's method. A
+/// bisection replaces a step that leaves the bracket or is not shorter than half the last one.
+///
+/// Ends with a step shorter than 2^-30 of `length`, the length of the Taylor step: the next one would be shorter than 2^-60 of
+/// it, divided by the distance d from the extremum as a fraction of `length`, and rounding errors of the function move the
+/// point by some 2^-53/d. Where rounding errors prevent that, bisection ends at adjacent doubles.
+template <class Function>
+double change_between(double low, double high, bool is_rising, double length, const Function& function) noexcept {
+    double x = 0.5 * (low + high), last = high - low;
+    for (int iteration = 0; iteration < 128; ++iteration) {
+        const Linear f = function(x);
+        if (f.value == 0) return x;
+        ((f.value < 0) == is_rising ? low : high) = x;
+        const double by_newton = x - f.value / f.rate;
+        if (abs(by_newton - x) <= 0x1p-30 * length) return by_newton < low ? low : by_newton > high ? high : by_newton;
+        const bool is_good = by_newton > low && by_newton < high && abs(by_newton - x) < 0.5 * last;
+        const double next = is_good ? by_newton : 0.5 * (low + high);
+        last = abs(next - x);
+        x = next;
+    }
+    return x;
+}
+
+int sign_changes(const Polynomial& p, double (&points)[most_terms]) noexcept;
+
+/// Pieces of [0, 1], in ascending order, on each of which a polynomial keeps its sign or is monotone.
+struct Pieces {
+    static constexpr int most = 40;
+    double ends[most];
+    int count = 0;
+
+    /// Divides an interval in halves until a bound proves that p is such on each: with |p''| <= bend, p departs from its value
+    /// in the middle by at most half (|p'| + half bend/2), and p' by at most half bend. Returns false if the pieces become too
+    /// short, which happens near a point where p and p' are almost 0.
+    bool divide(const Polynomial& p, double bend, double low, double high) noexcept {
+        constexpr double shortest = 0x1p-7;
+        const double middle = 0.5 * (low + high), half = 0.5 * (high - low);
+        const auto f = at(p, middle);
+        if (abs(f.value) > half * (abs(f.rate) + 0.5 * half * bend) || abs(f.rate) > half * bend) {
+            ends[count++] = high;
+            return count < most;
+        }
+        return half > shortest && divide(p, bend, low, middle) && divide(p, bend, middle, high);
+    }
+
+    /// Where the halves do not succeed, the pieces end where the derivative changes its sign.
+    explicit Pieces(const Polynomial& p) noexcept {
+        double bend = 0;
+        for (int k = 2; k < p.terms; ++k) bend += k * (k - 1) * abs(p.a[k]);
+        if (divide(p, bend, 0, 1)) return;
+        double points[most_terms];
+        count = sign_changes(derivative(p), points);
+        for (int i = 0; i < count; ++i) ends[i] = points[i];
+        ends[count++] = 1;
+    }
+};
+
+/// The points of (0, 1) where p changes its sign, in ascending order. On each piece p changes its sign at most once. The
+/// recursion through `Pieces` ends at a derivative with |a[0]| > sum |a[k]|, which keeps its sign on [0, 1], or at a constant.
+int sign_changes(const Polynomial& p, double (&points)[most_terms]) noexcept {
     double others = 0;
     for (int k = 1; k < p.terms; ++k) others += abs(p.a[k]);
-    return abs(p.a[0]) > others;
-}
-
-/// The point between `low` and `high` where p, which is monotone there, changes its sign. By bisection: after 64 halvings the
-/// points are adjacent doubles.
-double change_between(const Polynomial& p, double low, double high) noexcept {
-    const bool rises = p(low) < 0;
-    for (int i = 0; i < 64; ++i) {
-        const double middle = 0.5 * (low + high);
-        ((p(middle) < 0) == rises ? low : high) = middle;
-    }
-    return high;
-}
-
-/// The points of (0, 1) where p changes its sign, in ascending order. Between two sign changes of its derivative p is monotone
-/// and changes its sign at most once. The sign changes of the derivative are found by recursion. It ends at a polynomial with
-/// |a[0]| > sum |a[k]|, which keeps its sign on [0, 1], or at a constant.
-int sign_changes(const Polynomial& p, double (&points)[most_terms]) noexcept {
-    if (p.terms < 2 || keeps_its_sign(p)) return 0;
-    double cuts[most_terms];
-    int cut_count = sign_changes(derivative(p), cuts);
-    cuts[cut_count++] = 1;
+    if (others == 0 || abs(p.a[0]) > others) return 0;
+    const Pieces pieces(p);
     int count = 0;
     double low = 0, value = p.a[0];
-    for (int i = 0; i < cut_count; ++i) {
-        const double next = p(cuts[i]);
-        if ((value < 0 && next > 0) || (value > 0 && next < 0)) points[count++] = change_between(p, low, cuts[i]);
+    for (int i = 0; i < pieces.count && count < most_terms - 1; ++i) {
+        const double next = at(p, pieces.ends[i]).value;
+        if ((value < 0 && next > 0) || (value > 0 && next < 0))
+            points[count++] = change_between(low, pieces.ends[i], value < 0, 1, [&](double x) { return at(p, x); });
         if (next == 0) continue;  // p keeps the sign that it had before this point
-        low = cuts[i];
+        low = pieces.ends[i];
         value = next;
     }
     return count;
 }
 
-/// Divides the step at the points where the derivative of the crossed quantity changes its sign.
+/// The crossed quantity minus the level in the middle of the present turn.
+double departure(const Crossings& search, const auto& m) noexcept {
+    if (search.level.crossed == Crossed::omega) return (two_sum(m.omega, -search.at) + m.omega_lo).hi;
+    return (two_sum(m.theta, -search.at) + m.theta_lo).hi;
+}
+
+/// Twice the level if the crossed quantity is exactly on it; 2 m + 1 if it is between the levels m and m + 1. The difference of
+/// two angles of [-pi, pi) is less than a turn.
+double side_of(const Crossings& search, const auto& m) noexcept {
+    const double d = departure(search, m);
+    const double sign = d > 0 ? 1 : d < 0 ? -1 : 0;
+    return search.level.crossed == Crossed::theta ? 2 * (m.turns - search.turns) + sign : sign;
+}
+
+bool is_even(double side) noexcept { return side == 2 * round_even(0.5 * side); }
+
+/// The difference between the crossed quantity and the level m = side/2, and its rate of change, some time after the start of
+/// the step.
+Linear from_level(const Crossings& search, double since, double side) noexcept {
+    const auto m = motion_at(search.run, since);
+    if (search.level.crossed == Crossed::theta) {
+        const auto turns = DoubleDouble<double>{two_pi_dd[0], two_pi_dd[1]} * ((m.turns - search.turns) - 0.5 * side);
+        return {(turns + two_sum(m.theta, -search.at) + m.theta_lo).hi, m.omega};
+    }
+    const auto& step = search.run.step;
+    const double x = since / step.unit;
+    double slope = 0;
+    for (int k = search.run.order; k > 0; --k) slope = slope * x + k * step.series[k];
+    return {departure(search, m), slope / (step.unit * step.unit)};
+}
+
+/// Whether a bound on the change during the step proves that no level is reached. `v` is omega times the unit over the step.
+bool is_out_of_reach(const Crossings& search, const Polynomial& v) noexcept {
+    constexpr double margin = 0x1p-40;  // for rounding errors
+    const auto& step = search.run.step;
+    const double distance = abs(departure(search, step.start));
+    double change = 0;
+    if (search.level.crossed == Crossed::omega) {
+        for (int k = 1; k < v.terms; ++k) change += abs(v.a[k]);
+        return distance > change / step.unit * (1 + margin) + margin * (abs(step.start.omega) + abs(search.at));
+    }
+    for (int k = 0; k < v.terms; ++k) change += abs(v.a[k]) * (1.0 / (k + 1));
+    const double to_next = two_pi_dd[0] - distance;
+    return (distance < to_next ? distance : to_next) > change * (step.length / step.unit) * (1 + margin) + margin;
+}
+
+/// Divides the step at the points where the derivative of the crossed quantity changes its sign. A step that reaches no level
+/// has no parts.
 void cut_step(Crossings& search) noexcept {
     const Taylor& run = search.run;
+    const double length = run.step.length;
+    search.cut = search.cut_count = 0;
+    if (!(length < __builtin_inf())) return;
     Polynomial v{{}, run.order + 1};
-    const double x = run.step.length / run.step.unit;
+    const double x = length / run.step.unit;
     double power = 1;
     for (int k = 0; k < v.terms; ++k, power *= x) v.a[k] = run.step.series[k] * power;
+    if (!is_even(search.side) && !search.is_upon && is_out_of_reach(search, v)) return;
     double points[most_terms];
-    search.cut_count = sign_changes(search.crossed == Crossed::theta ? v : derivative(v), points);
-    for (int i = 0; i < search.cut_count; ++i) search.cuts[i] = points[i] * run.step.length;
-    search.cuts[search.cut_count++] = run.step.length;
-    search.cut = 0;
+    search.cut_count = sign_changes(search.level.crossed == Crossed::theta ? v : derivative(v), points);
+    for (int i = 0; i < search.cut_count; ++i) search.cuts[i] = points[i] * length;
+    search.cuts[search.cut_count++] = length;
 }
 
-/// Twice the level if the crossed quantity is exactly on it; 2 m + 1 if it is between the levels m and m + 1.
-double side_of(Crossed crossed, const auto& m) noexcept {
-    const double x = crossed == Crossed::theta ? m.theta : m.omega;
-    const double sign = x > 0 ? 1 : x < 0 ? -1 : 0;
-    return crossed == Crossed::theta ? 2 * m.turns + sign : sign;
-}
-
-/// The difference between the crossed quantity and the level, and its rate of change.
-struct Departure {
-    double value;
-    double rate;
-};
-
-Departure departure(const Crossings& search, const TaylorPolynomial& step, double since, double level) noexcept {
-    const auto m = motion_at(step, since);
-    if (search.crossed == Crossed::theta) return {(2 * m.turns - level) * two_pi_dd[0] * 0.5 + (m.theta + m.theta_lo), m.omega};
-    const double x = since / step.unit;
-    const double slope = kernels::tail_of_series<1>(step.series, x, [](double a, int k) { return a * k; });
-    return {m.omega + m.omega_lo, slope / (step.unit * step.unit)};
-}
-
-/// The time at which the level is crossed, between two times of the step, by safeguarded Newton iteration: Newton steps
-/// alternate with bisections, and a Newton step that leaves the bracket is replaced by a bisection. After 128 iterations the
-/// ends of the bracket are adjacent doubles.
-double time_of_crossing(const Crossings& search, const TaylorPolynomial& step, double low, double high, double level) noexcept {
-    const bool rises = side_of(search.crossed, motion_at(step, low)) < level;
-    double since = 0.5 * (low + high);
-    for (int iteration = 0; iteration < 128; ++iteration) {
-        const auto d = departure(search, step, since, level);
-        if (d.value == 0) return since;
-        ((d.value < 0) == rises ? low : high) = since;
-        const double next = since - d.value / d.rate;
-        if (abs(next - since) <= 0x1p-54 * step.length) return since;
-        since = iteration % 2 == 0 && next > low && next < high ? next : 0.5 * (low + high);
-    }
-    return since;
-}
-
-Sample sample_at(const TaylorPolynomial& step, double since) noexcept {
-    const auto m = motion_at(step, since);
-    return {(DoubleDouble<double>{step.t, step.t_lo} + since).hi, m.theta, m.omega, m.turns};
+Sample sample_at(const Taylor& run, double since) noexcept {
+    const auto m = motion_at(run, since);
+    return {(DoubleDouble<double>{run.step.t, run.step.t_lo} + since).hi, m.theta, m.omega, m.turns};
 }
 
 /// Searches the present part of the step. Returns true and the crossing if the next level is crossed there at a time up to
 /// `until`. If the crossing is later, returns false; if there is none, moves on to the next part and returns false.
-bool crosses(Crossings& search, const TaylorPolynomial& step, double until, Crossing& crossing) noexcept {
-    const double end = search.cuts[search.cut], side = side_of(search.crossed, motion_at(step, end));
-    const bool is_even = side == 2 * round_even(0.5 * side);
-    if (search.side != 0 && abs(side - search.side) > 1) {
+bool crosses(Crossings& search, double until, Crossing& crossing) noexcept {
+    const double end = search.cuts[search.cut], side = side_of(search, motion_at(search.run, end));
+    if (is_even(search.side) && side != search.side)
+        search.side += side > search.side ? 1 : -1;  // leaves the level of the start
+    if (!is_even(search.side) && abs(side - search.side) > 1) {
         const bool is_rising = side > search.side;
         const double level = search.side + (is_rising ? 1 : -1);
         const double start = search.cut == 0 ? 0 : search.cuts[search.cut - 1];
-        crossing = {search.is_upon ? search.upon : sample_at(step, time_of_crossing(search, step, start, end, level)),
-                    is_rising};
+        const double length = search.run.step.length;
+        const auto difference = [&](double since) { return from_level(search, since, level); };
+        crossing = {
+            search.is_upon ? search.upon : sample_at(search.run, change_between(start, end, is_rising, length, difference)),
+            is_rising};
         if (crossing.sample.t > until) return false;
         search.side += is_rising ? 2 : -2;
         search.is_upon = false;
         return true;
     }
-    if (is_even && !search.is_upon) search.upon = sample_at(step, end);
-    search.is_upon = is_even;
-    if (!is_even) search.side = side;
+    const bool is_upon = is_even(side) && side != search.side;
+    if (is_upon && !search.is_upon) search.upon = sample_at(search.run, end);
+    search.is_upon = is_upon;
     ++search.cut;
     return false;
 }
 
+/// The trajectory of a pendulum that rests, as one step without end.
+void rest(TaylorPolynomial& step) noexcept {
+    for (double& term : step.series) term = 0;
+    step.series_1_lo = 0;
+    step.length = __builtin_inf();
+}
+
 }  // namespace
 
-Crossings make_crossings(const Pendulum& pendulum, State initial, Crossed crossed, double tolerance, double t) noexcept {
+Crossings make_crossings(const Pendulum& pendulum, State initial, const Level& level, double tolerance, double t) noexcept {
     Crossings search;
-    search.run = make_taylor(pendulum, initial, tolerance, t);
-    search.crossed = crossed;
-    const double side = side_of(crossed, search.run.step.start);
-    if (side != 2 * round_even(0.5 * side)) search.side = side;
+    const bool is_legal = level.crossed >= Crossed::theta && level.crossed <= Crossed::omega &&
+                          level.direction >= Direction::both && level.direction <= Direction::falling &&
+                          satisfies(Rule::finite, level.at);
+    search.run = make_taylor(pendulum, initial, is_legal ? tolerance : __builtin_nan(""), t);
+    search.level = level;
+    search.at = level.crossed == Crossed::theta ? wrap(level.at) : level.at;
+    if (is_legal && rests_on_top(pendulum, initial)) rest(search.run.step);
+    search.turns = search.run.step.start.turns;
+    search.side = side_of(search, search.run.step.start);
     cut_step(search);
     return search;
 }
@@ -164,8 +239,12 @@ bool next_crossing(Crossings& search, double until, Crossing& crossing, double s
     while (search.run.step.length == search.run.step.length) {
         while (search.cut < search.cut_count) {
             const int cut = search.cut;
-            if (crosses(search, search.run.step, until, crossing)) return true;
-            if (search.cut == cut) return false;  // the next crossing is later than `until`
+            if (crosses(search, until, crossing)) {
+                const Direction direction = crossing.is_rising ? Direction::rising : Direction::falling;
+                if (search.level.direction == Direction::both || search.level.direction == direction) return true;
+            } else if (search.cut == cut) {
+                return false;  // the next crossing is later than `until`
+            }
         }
         if (!needs_step_to(search.run, until) || --step_budget < 0) return false;
         step(search.run);
@@ -179,26 +258,11 @@ Outcome measured_period(const Pendulum& pendulum, State initial, double until, d
     if (const auto refusal = check(pendulum, initial)) return refusal;
     if (const auto refusal = check(pendulum, Method::taylor, tolerance)) return refusal;
     if (const auto refusal = check_rule("until", until, Rule::not_negative)) return refusal;
-    constexpr double steps_between_looks = 256;
-    auto search = make_crossings(pendulum, initial, Crossed::theta, tolerance);
-    Crossing first, next;
-    constexpr int crossings_between_looks = 64;  // some steps each
-    double crossings = 0, periods = 0, last = 0;
-    for (int until_look = crossings_between_looks;;) {
-        if (next_crossing(search, until, next, steps_between_looks)) {
-            if (++crossings == 1) first = next;
-            if (crossings > 1 && next.is_rising == first.is_rising) {
-                ++periods;
-                last = next.sample.t;
-            }
-            if (--until_look > 0) continue;
-        } else if (reaches(search.run, until)) {
-            period = periods > 0 ? (last - first.sample.t) / periods : __builtin_nan("");
-            return {};
-        }
-        until_look = crossings_between_looks;
-        if (!control.proceed(search.run.step.t / until)) return Outcome::Kind::stopped;
-    }
+    MeasuredPeriod measured(pendulum, initial, tolerance);
+    while (measured.goes_on(until))
+        if (!control.proceed(measured.search.run.step.t / until)) return Outcome::Kind::stopped;
+    period = measured.period();
+    return {};
 }
 
 }  // namespace pendula

@@ -23,6 +23,11 @@ inline void rk4_steps(const kernels::Rk4Step<double>& step, double row_time, dou
     }
 }
 
+/// The motion at a time within the present Taylor step, given as the time since its start [s].
+inline kernels::Motion<double> motion_at(const Taylor& run, double since) noexcept {
+    return kernels::with_order(run.order, [&](auto order) { return kernels::motion_at<order.value>(run.step, since); });
+}
+
 /// Whether another Taylor step is needed to reach time t. A motion that needs more than 2^53 steps becomes NaN.
 inline bool needs_step_to(Taylor& run, double t) noexcept {
     if (reaches(run, t)) return false;

@@ -38,6 +38,10 @@ struct Segment {
 
 Segment segment_to_next_row(const Trajectory& run) noexcept {
     const Schedule& s = run.problem.schedule;
+    if (!s.times.empty()) {
+        const double start = run.rows_done > 0 ? s.time_of(run.rows_done - 1) : 0, length = s.time_of(run.rows_done) - start;
+        return {start, length, length > 0 ? steps_in(length, s.dt) : 0};
+    }
     if (run.rows_done > 0) return {s.time_of(run.rows_done - 1), s.every, s.steps_per_row};
     return s.first > 0 ? Segment{0, s.first, s.steps_to_first} : Segment{};
 }
@@ -92,6 +96,7 @@ std::size_t taylor_rows(Trajectory& run, std::span<Sample> rows, double step_bud
 
 Refusal check(const Schedule& s) noexcept {
     using enum Refusal::Reason;
+    if (!s.times.empty()) return s.steps() <= 0x1p53 ? Refusal{} : Refusal{.reason = too_many_steps, .value = s.steps()};
     if (const auto refusal = check_rule("first", s.first, Rule::not_negative)) return refusal;
     if (const auto refusal = check_rule("every", s.every, Rule::positive); refusal && s.rows != 1) return refusal;
     if (s.rows > 0x1p53) return {.reason = too_many_rows, .value = s.rows};
@@ -99,6 +104,19 @@ Refusal check(const Schedule& s) noexcept {
     if (const auto refusal = check_count("rows", s.rows, 1)) return refusal;
     if (const auto refusal = check_count("steps_to_first", s.steps_to_first, 1)) return refusal;
     return check_count("steps_per_row", s.steps_per_row, 1);
+}
+
+/// Refuses steps that are too long for the friction, between given times.
+Refusal check_given_steps(const Pendulum& p, Method method, const Schedule& s) noexcept {
+    if (const auto refusal = check_rule("dt", s.dt, Rule::positive)) return refusal;
+    if (p.beta * s.dt <= 1) return {};  // stable by every method
+    double before = 0;
+    for (const double t : s.times) {
+        const double length = t - before;
+        if (const auto refusal = check_stability(p, method, length, steps_in(length, s.dt), "steps_per_row")) return refusal;
+        before = t;
+    }
+    return {};
 }
 
 /// Refuses times after the latest time of the closed form.
@@ -129,12 +147,34 @@ Refusal check_stability(const Pendulum& p, Method method, double length, double 
     return {.reason = Refusal::Reason::unstable, .name = name, .value = steps, .least = least};
 }
 
+Refusal check_times(std::span<const double> times, double rows) noexcept {
+    using enum Refusal::Reason;
+    const auto size = static_cast<double>(times.size());
+    if (size != rows) return {.reason = length, .name = "times", .value = size, .least = rows};
+    for (std::size_t row = 0; row < times.size(); ++row) {
+        auto refusal = check_rule("times", times[row], Rule::not_negative);
+        if (!refusal && row > 0 && times[row] < times[row - 1])
+            refusal = {.reason = decreasing, .name = "times", .value = times[row], .least = times[row - 1]};
+        refusal.row = row;
+        if (refusal) return refusal;
+    }
+    return {};
+}
+
 Refusal check(const Problem& problem) noexcept {
+    const Schedule& s = problem.schedule;
+    const auto refusal = s.times.empty() ? Refusal{} : check_times(s.times, s.rows);
+    return refusal ? refusal : check_but_times(problem);
+}
+
+Refusal check_but_times(const Problem& problem) noexcept {
     const Schedule& s = problem.schedule;
     if (const auto refusal = check(problem.pendulum, problem.initial)) return refusal;
     if (const auto refusal = check(problem.pendulum, problem.method, problem.tolerance)) return refusal;
     if (const auto refusal = check(s)) return refusal;
     if (problem.method == Method::exact) return check_latest(problem.pendulum, problem.initial, s.time_of(s.rows - 1));
+    if (!takes_steps(problem.method)) return {};
+    if (!s.times.empty()) return check_given_steps(problem.pendulum, problem.method, s);
     if (const auto refusal = check_stability(problem.pendulum, problem.method, s.first, s.steps_to_first, "steps_to_first"))
         return refusal;
     return check_stability(problem.pendulum, problem.method, s.rows > 1 ? s.every : 0, s.steps_per_row, "steps_per_row");

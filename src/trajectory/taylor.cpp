@@ -7,9 +7,11 @@ namespace pendula {
 
 namespace {
 
+template <int order>
 void expand(Taylor& run) noexcept {
     kernels::Series<double> cosine;
-    kernels::expand(kernels::taylor_pendulum(parameters_of(run.pendulum)), {run.order, run.log2_fraction}, run.step, cosine);
+    kernels::expand<order>(kernels::taylor_pendulum(parameters_of(run.pendulum)), run.step, cosine);
+    kernels::set_length<order>(run.step, kernels::log2_length_of<order, double>(run.step, run.log2_fraction));
 }
 
 }  // namespace
@@ -25,19 +27,21 @@ Taylor make_taylor(const Pendulum& pendulum, State initial, double tolerance, do
     const auto angle = split_turns(initial.theta);
     run.step.start = {is_legal ? angle.theta : nan, is_legal ? initial.omega : nan, angle.turns};
     run.step.t = t;
-    expand(run);
+    kernels::with_order(run.order, [&](auto order) { expand<order.value>(run); });
     return run;
 }
 
 void step(Taylor& run) noexcept {
-    kernels::move_to_end(run.step);
-    expand(run);
+    kernels::with_order(run.order, [&](auto order) {
+        kernels::move_to_end<order.value>(run.step);
+        expand<order.value>(run);
+    });
 }
 
 bool reaches(const Taylor& run, double t) noexcept { return !kernels::ends_before(run.step, t); }
 
 Sample at(const Taylor& run, double t) noexcept {
-    const auto m = kernels::motion_at(run.step, (t - run.step.t) - run.step.t_lo);
+    const auto m = motion_at(run, (t - run.step.t) - run.step.t_lo);
     return {t, m.theta, m.omega, m.turns};
 }
 

@@ -270,27 +270,30 @@ Ensemble published() {
     return {.size = driven, .theta = 0.2, .beta = 0.5, .drive_amplitude = amplitudes, .drive_frequency = 2.0 / 3};
 }
 
+// All columns of a measure of the published pendulums, with one row each.
+void measured(Hash& hash, Measure what, const Strobe& strobe, const Control& control = {}) {
+    constexpr std::size_t most = 10;
+    static double values[most][driven];
+    const auto& columns = measures[static_cast<int>(what)].columns;
+    std::span<double> results[most];
+    for (std::size_t i = 0; i < columns.size(); ++i) results[i] = {values[i], rows_of(columns[i], strobe) * driven};
+    if (!measure(what, published(), strobe, std::span<const std::span<double>>(results, columns.size()), control).is_done())
+        hash(nan);
+    for (std::size_t i = 0; i < columns.size(); ++i)
+        for (double x : results[i]) hash(x);
+}
+
 template <Method method>
 void thousand_periods(Hash& hash) {
-    double theta[driven], omega[driven], turns[driven];
-    const Strobe strobe{.transient = 1000, .periods = 1, .steps_per_period = 300, .method = method};
-    if (!measure(Measure::section, published(), strobe, {theta, omega, turns}, {.threads = 2}).is_done()) hash(nan);
-    for (std::size_t i = 0; i < driven; ++i) hash(Sample{0, theta[i], omega[i], turns[i]});
+    measured(hash, Measure::section, {.transient = 1000, .periods = 1, .steps_per_period = 300, .method = method},
+             {.threads = 2});
 }
 
 template <Method method>
 void diagnostics(Hash& hash) {
-    const Strobe strobe{.transient = 50, .periods = 64, .steps_per_period = 300, .method = method};
-    double velocity[driven], exponent[driven], error[driven], horizon[driven];
-    double label[driven], period[driven], rotation[driven], theta[driven], omega[driven];
-    const auto take = [&](Measure what, const Results& results) {
-        if (!measure(what, published(), strobe, results).is_done()) hash(nan);
-    };
-    take(Measure::mean_velocity, {velocity});
-    take(Measure::lyapunov, {exponent, error, horizon, {}});
-    take(Measure::attractors, {label, period, rotation, theta, omega});
-    for (std::size_t i = 0; i < driven; ++i)
-        for (double x : {velocity[i], exponent[i], error[i], horizon[i], period[i], rotation[i], theta[i], omega[i]}) hash(x);
+    const Strobe strobe{.transient = 50, .periods = 64, .steps_per_period = 300, .method = method, .budget = 200};
+    for (const auto& info : measures)
+        if (info.measure != Measure::section) measured(hash, info.measure, strobe);
 }
 
 void taylor_rows(Hash& hash) {

@@ -9,6 +9,7 @@ from conftest import CLEAN, PROGRAM
 LONG = "1" * 5000
 FIRST = "problem 1, line 1: "
 NOT_A_NUMBER = "it is not a number; write it like 90, 1.5 or 2e-3"
+NOT_AN_OPTION = "it is not a number; write it like 1.5, 2e-3, 2/3 or 3pi/4"
 POSITIVE = "must be positive and finite, got "
 FINITE = "must be finite, got "
 UNIT = "it must be r (radians) or s (sexagesimal degrees)"
@@ -96,19 +97,35 @@ PROBLEMS = [
     ("1e-200 1 1 90 s 0 r 1e300", FIRST + "the step, 1e-200 times 7.4163e-150 s, is out of the range of doubles"),
 ]
 
+ANGLE = " (radians; degrees like 90deg)"
+
 OPTIONS = [
     (["solve"], "--theta0 is missing: the initial angle, as 1.5 (radians) or 90deg"),
     (["solve", "--theta0"], "option --theta0 needs a value"),
-    (["solve", "--theta0", ""], f'--theta0 "": {NOT_A_NUMBER} (radians; degrees like 90deg)'),
-    (["solve", "--theta0", "90grad"], f'--theta0 "90grad": {NOT_A_NUMBER} (radians; degrees like 90deg)'),
-    (["solve", "--theta0", "90deg/s"], f'--theta0 "90deg/s": {NOT_A_NUMBER} (radians; degrees like 90deg)'),
-    (["solve", "--theta0", "1", "--omega0", "10deg"], f'--omega0 "10deg": {NOT_A_NUMBER} (radians; degrees like 90deg/s)'),
+    (["solve", "--theta0", ""], f'--theta0 "": {NOT_AN_OPTION} (radians; degrees like 90deg)'),
+    (["solve", "--theta0", "90grad"], f'--theta0 "90grad": {NOT_AN_OPTION} (radians; degrees like 90deg)'),
+    (["solve", "--theta0", "90deg/s"], f'--theta0 "90deg/s": {NOT_AN_OPTION} (radians; degrees like 90deg)'),
+    (["solve", "--theta0", "1", "--omega0", "10deg"], f'--omega0 "10deg": {NOT_AN_OPTION} (radians; degrees like 90deg/s)'),
     (
         ["solve", "--theta0", "1,5"],
         '--theta0 "1,5": it has a decimal comma; write "1.5", with a point (radians; degrees like 90deg)',
     ),
+    (["solve", "--theta0", "−pi/2"], f'--theta0 "−pi/2": it has a typographic minus; write "-pi/2", with a hyphen{ANGLE}'),
+    (["solve", "--theta0", "1,5pi"], f'--theta0 "1,5pi": it has a decimal comma; write "1.5pi", with a point{ANGLE}'),
+    (["solve", "--theta0", "pi/0"], f'--theta0 "pi/0": it divides by zero{ANGLE}'),
+    (["solve", "--theta0", "pi/2deg"], f'--theta0 "pi/2": it is not a number of degrees; write it like 90 or 2/3{ANGLE}'),
+    *[
+        (["solve", "--theta0", text], f'--theta0 "{text}": {NOT_AN_OPTION}{ANGLE}')
+        for text in ("pi2", "2/", "/2", "2/x", "3*", "*pi", "3**pi", "infpi", "1/-2", "2 pi", "pi/2/2", "--1", "+-pi", "Pi")
+    ],
+    (["solve", "--theta0", "1e308pi"], f'--theta0 "1e308pi": its size must lie between 5e-324 and 1.8e308{ANGLE}'),
+    (["solve", "--theta0", "1", "--alpha", "-1/3"], f'--alpha "-1/3" {POSITIVE}-0.3333333333333333'),
+    (
+        ["solve", "--theta0", "1", "--steps", "9"],
+        "option --steps belongs to pendula section, pendula mean-velocity, pendula lyapunov, pendula attractors, pendula orbit",
+    ),
     (["solve", "--theta0", "nan"], '--theta0 "nan" must be finite, got nan (radians; degrees like 90deg)'),
-    (["solve", "--theta0", "--omega0"], f'--theta0 "--omega0": {NOT_A_NUMBER} (radians; degrees like 90deg)'),
+    (["solve", "--theta0", "--omega0"], f'--theta0 "--omega0": {NOT_AN_OPTION} (radians; degrees like 90deg)'),
     (["solve", "--theta0", "1", "--alpha", "0"], f'--alpha "0" {POSITIVE}0'),
     (["solve", "--theta0", "1", "--alpha", "1", "--gravity", "1"], "--alpha and --gravity exclude each other"),
     (["solve", "--theta0", "1", "--gravity", "1"], "--gravity and --length go together"),
@@ -144,9 +161,24 @@ OPTIONS = [
     (["solve", "--epsilon", "1"], "option --epsilon belongs to pendula analyze"),
     (
         ["--theta0", "1"],
-        "option --theta0 belongs to pendula solve, pendula analyze, pendula section, pendula mean-velocity, pendula lyapunov, pendula attractors",
+        "option --theta0 belongs to pendula solve, pendula analyze, pendula section, pendula mean-velocity, pendula lyapunov, pendula attractors, pendula orbit",
     ),
     (["--lang", "fr"], '--lang "fr": "fr" is none of en, es'),
+    (["analyze", "--tau", "7", "--theta0", "1"], "--tau and --theta0 exclude each other"),
+    (["analyze", "--tau", "7", "--omega0", "1"], "--tau and --omega0 exclude each other"),
+    (["analyze", "--tau", "7", "--method", "series"], "--tau and --method exclude each other"),
+    (["analyze", "--tau", "7", "--epsilon", "1e-3"], "--tau and --epsilon exclude each other"),
+    (["analyze", "--tau", "6.28"], "--tau must be at least 6.283185307179586 s, the period 2π/√α of small swings"),
+    (
+        ["analyze", "--tau", "7:6:3", "--alpha", "1:4:2"],
+        "where --tau is 6, --alpha is 1: --tau must be at least 6.283185307179586 s, the period 2π/√α of small swings",
+    ),
+    (["analyze", "--tau", "0"], f'--tau "0" {POSITIVE}0'),
+    (["solve", "--tau", "7"], "option --tau belongs to pendula analyze"),
+    (
+        ["analyze", "--theta0", "1:90deg:3"],
+        '--theta0 "1:90deg:3": one end is in degrees and the other is not; type deg behind both or none',
+    ),
     (["analyze", "--omega0", "1"], "--theta0 is missing: the initial angle, as 1.5 (radians) or 90deg"),
     (
         ["analyze", "--theta0", "1", "--method", "serie"],

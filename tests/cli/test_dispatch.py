@@ -55,10 +55,13 @@ def test_standard_input_is_handed_on(pendula, tmp_path):
         ("plt", 'unknown command "plt"; did you mean plot?'),
         (
             "frobnicate",
-            'unknown command "frobnicate"; there are analyze, attractors, lyapunov, mean-velocity, plot, section, solve',
+            'unknown command "frobnicate"; there are analyze, attractors, lyapunov, mean-velocity, orbit, plot, section, solve',
         ),
-        ("", 'unknown command ""; there are analyze, attractors, lyapunov, mean-velocity, plot, section, solve'),
-        ("../plot", 'unknown command "../plot"; there are analyze, attractors, lyapunov, mean-velocity, plot, section, solve'),
+        ("", 'unknown command ""; there are analyze, attractors, lyapunov, mean-velocity, orbit, plot, section, solve'),
+        (
+            "../plot",
+            'unknown command "../plot"; there are analyze, attractors, lyapunov, mean-velocity, orbit, plot, section, solve',
+        ),
     ],
 )
 def test_a_name_that_is_nowhere_is_bad_usage_with_the_nearest(pendula, on_path, name, message):

@@ -138,16 +138,47 @@ def test_analyze_names_the_regime_in_json(pendula, line, regime):
     assert record["regime"] == regime
 
 
-def test_analyze_goes_through_ranges(pendula):
+def test_analyze_goes_through_ranges_and_prints_them_as_typed(pendula):
     done = pendula("analyze", "--theta0", "60deg:90deg:2", "--omega0", "0:2:3")
     rows = [line.split() for line in done.stdout.decode().splitlines()]
     assert (done.returncode, done.stderr, rows[3]) == (0, b"", [])
-    assert [row[:2] for row in rows if row] == [[theta, omega] for theta in ("1.0472", "1.5708") for omega in ("0", "1", "2")]
+    assert [row[:2] for row in rows if row] == [[theta, omega] for theta in ("60", "90") for omega in ("0", "1", "2")]
     for theta, omega, *analysis in filter(None, rows):
-        alone = pendula("analyze", "--theta0", "60deg" if theta == "1.0472" else "90deg", "--omega0", omega)
+        alone = pendula("analyze", "--theta0", theta + "deg", "--omega0", omega)
         assert alone.stdout.decode().split() == analysis
     assert pendula("analyze", "--theta0", "1", "--alpha", "1:2:2", "--format", "csv").stdout.startswith(
         b"alpha,k,thetaM,tau\n1,-1,1,"
     )
     (first, _) = records(pendula("analyze", "--theta0", "1:2:2", "--format", "json"))
     assert list(first) == ["theta0", "k", "regime", "thetaM", "tau"]
+    (first, _) = records(pendula("analyze", "--theta0", "0:9deg:2", "--omega0", "0:1:1", "--format", "json"))
+    assert list(first) == ["theta0_deg", "omega0", "k", "regime", "thetaM", "tau"]
+
+
+def test_analyze_goes_through_gravity_and_length(pendula):
+    done = pendula("analyze", "--theta0", "1", "--gravity", "9.81", "--length", "0.5:2:4")
+    by_length = [line.split() for line in done.stdout.decode().splitlines()]
+    assert [row[0] for row in by_length] == ["0.5", "1", "1.5", "2"]
+    for length, *analysis in by_length:
+        alone = pendula("analyze", "--theta0", "1", "--alpha", f"9.81/{length}")
+        assert alone.stdout.decode().split() == analysis
+
+
+def test_analyze_inverts_itself(pendula):
+    """The amplitude of a period has that period: its derivative is at most 1e4 rad/s here, and analyze is right to 4 ulp."""
+    done = pendula("analyze", "--tau", "6.3:40:30", "--alpha", "1:2:2", "--precision", "full", "--format", "json")
+    rows = records(done)
+    assert (done.returncode, len(rows)) == (0, 60)
+    for row in rows:
+        assert row["regime"] == "oscillation"
+        back = pendula("analyze", "--theta0", repr(row["thetaM"]), "--alpha", repr(row["alpha"]), "--precision", "full")
+        _, amplitude, tau = map(float, back.stdout.split())
+        slope = 1 / math.cos(amplitude / 2)  # of the period against the amplitude, up to a factor below 2
+        assert amplitude == pytest.approx(row["thetaM"], rel=1e-15)
+        assert abs(tau - row["tau"]) <= 4 * math.ulp(tau) + 4 * slope * math.ulp(amplitude)
+
+
+def test_the_shortest_and_the_longest_periods_have_amplitudes(pendula):
+    assert pendula("analyze", "--tau", "2pi").stdout == b"-1 0 6.28319\n"
+    assert pendula("analyze", "--tau", "1e300", "--precision", "full").stdout == b"-1 3.141592653589793 1e+300\n"
+    assert pendula("analyze", "--tau", "pi", "--alpha", "4").stdout == b"-1 0 3.14159\n"

@@ -43,7 +43,7 @@ def test_the_option_may_stand_before_a_command(pendula):
 
 
 def test_the_manual_names_every_option_in_both_languages(pendula):
-    names = "theta0 omega0 alpha gravity length beta torque drive-amplitude pivot-amplitude drive-frequency drive-phase transient periods steps match threads tolerance dt-factor dt every-factor every until-factor until method epsilon columns format precision output lang help version"
+    names = "theta0 omega0 alpha gravity length beta torque drive-amplitude pivot-amplitude drive-frequency drive-phase tau transient periods budget steps strobe-phase plane level direction match orbit-period carry locate shares details threads tolerance dt-factor dt every-factor every until-factor until method epsilon columns format precision output lang help version"
     for arguments in (["--help"], ["-h"], ["solve", "--help"], ["analyze", "-h"]):
         english, spanish = pendula(*arguments), pendula(*arguments, "--lang", "es")
         assert english.returncode == spanish.returncode == 0

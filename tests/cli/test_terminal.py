@@ -106,7 +106,8 @@ def test_a_long_run_shows_how_far_it_is_and_leaves_no_trace(terminal):
 
 
 def test_a_long_sweep_shows_how_far_it_is_too(terminal):
-    one = terminal("mean-velocity", "--torque", "1", "--steps", "1e9", streams=("stderr",))
+    driven = ("--beta", "0.5", "--drive-amplitude", "1.5", "--drive-frequency", "2/3")
+    one = terminal("mean-velocity", *driven, "--method", "rk4", "--steps", "1e9", streams=("stderr",))
     one.read_until(r"\r\x1b\[Kpendula: 0 %")
     one.process.terminate()
     assert one.process.wait(timeout=10) == 130

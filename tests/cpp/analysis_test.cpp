@@ -99,6 +99,25 @@ TEST(Analyze, GivesNaNOutsideItsDomain) {
     for (double epsilon : {0.0, 1.0, -1.0, 2.0, nan}) EXPECT_TRUE(std::isnan(series_terms(1, {1, 0}, epsilon))) << epsilon;
 }
 
+TEST(AmplitudeOfPeriod, IsWithin2Ulp) {
+    for (const auto& row : reference::table("amplitude.txt"))
+        EXPECT_LE(ulps(amplitude_of_period(row[0], row[1]), row.value(2)), 2) << row[0] << ' ' << row[1];
+}
+
+TEST(AmplitudeOfPeriod, IsZeroForTheShortestPeriodAndPiForLongOnes) {
+    EXPECT_EQ(amplitude_of_period(1, 2 * pi), 0);
+    EXPECT_EQ(amplitude_of_period(4, pi), 0);
+    for (double tau : {151.5, 1e3, 1e300}) EXPECT_EQ(amplitude_of_period(1, tau), pi) << tau;
+    EXPECT_EQ(amplitude_of_period(1e300, 1e-140), pi);
+}
+
+TEST(AmplitudeOfPeriod, IsNaNOutsideItsDomain) {
+    const double inf = HUGE_VAL, nan = std::nan("");
+    const double bad[][2] = {{0, 7},  {-1, 7},   {inf, 7}, {nan, 7}, {1, 0},
+                             {1, -7}, {1, 6.28}, {1, inf}, {1, nan}, {1, std::nextafter(2 * pi, 0)}};
+    for (const auto& b : bad) EXPECT_TRUE(std::isnan(amplitude_of_period(b[0], b[1]))) << b[0] << ' ' << b[1];
+}
+
 TEST(CharacteristicTime, IsThePeriodOfTheMotionOfTheDriveOrOfSmallSwings) {
     const State initial{2, 0};
     EXPECT_EQ(characteristic_time({.alpha = 4}, initial), analyze(4, initial).tau);

@@ -18,7 +18,7 @@ struct LongCall {
 };
 
 constexpr std::size_t members = 100;
-double column[5][4 * members];  // of results
+double column[10][4 * members];  // of results
 
 std::function<Outcome(double, const Control&)> ensemble_by(Method method) {
     return [=](double length, const Control& control) {
@@ -32,7 +32,11 @@ std::function<Outcome(double, const Control&)> measure_of(Measure what, Method m
     return [=](double length, const Control& control) {
         const bool is_section = what == Measure::section;
         const auto flock = published(linspace(1.49, 1.5, members));  // chaotic
-        const Strobe strobe{is_section ? length : 0, is_section ? 4 : length, 100, method};
+        const Strobe strobe{.transient = is_section ? length : 0,
+                            .periods = is_section ? 4 : length,
+                            .steps_per_period = 100,
+                            .method = method,
+                            .budget = length};
         std::vector<std::span<double>> results(std::begin(column), std::end(column));
         return measure(what, flock.ensemble(), strobe, std::span<const std::span<double>>(results), control);
     };
@@ -49,6 +53,13 @@ const LongCall calls[] = {
     {"lyapunov by rk4", 20, 1e9, measure_of(Measure::lyapunov, Method::rk4)},
     {"lyapunov by taylor", 20, 1e9, measure_of(Measure::lyapunov, Method::taylor)},
     {"attractors", 20, 1e9, measure_of(Measure::attractors, Method::rk4)},
+    {"orbit", 100, 1e9,
+     [](double length, const Control& control) {
+         const auto flock = published({0.9});
+         std::vector<std::span<double>> results(std::begin(column), std::end(column));
+         return measure(Measure::orbit, flock.ensemble(), {.orbit_period = length}, std::span<const std::span<double>>(results),
+                        control);
+     }},
     {"measured period", 2e4, 1e12,
      [](double length, const Control& control) {
          double period;
@@ -124,7 +135,7 @@ Outcome two_attractors(const Control& control) {
     Flock flock = published({1.45});
     flock.theta = linspace(-3, 3, members);
     std::vector<std::span<double>> results(std::begin(column), std::end(column));
-    return measure(Measure::attractors, flock.ensemble(), {300, 64, 100}, std::span<const std::span<double>>(results), control);
+    return measure(Measure::attractors, flock.ensemble(), {}, std::span<const std::span<double>>(results), control);
 }
 
 TEST(LongCalls, TellProgressAndStopWhileAttractorsAreLabelled) {

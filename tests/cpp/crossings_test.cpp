@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 #include <vector>
 
 #include "pendula/angle.hpp"
@@ -14,8 +15,9 @@ namespace {
 
 using namespace pendula;
 
-std::vector<Crossing> all_crossings(const Pendulum& p, State initial, Crossed crossed, double until, double budget = 0x1p53) {
-    auto search = make_crossings(p, initial, crossed);
+std::vector<Crossing> all_crossings(const Pendulum& p, State initial, const Level& level, double until,
+                                    double budget = 0x1p53) {
+    auto search = make_crossings(p, initial, level);
     std::vector<Crossing> found;
     Crossing crossing;
     for (int calls = 0; calls < 100000; ++calls) {
@@ -80,29 +82,144 @@ TEST(Crossings, DoNotDependOnHowTheSearchIsCutUp) {
     EXPECT_EQ(count, whole.size());
 }
 
+/// On which side of a level of omega, or between which levels of theta, a row is.
+double side_of(const Sample& x, const Level& level) {
+    if (level.crossed == Crossed::omega) return x.omega > level.at ? 1 : 0;
+    return std::floor((unwrapped(x) - level.at) / (2 * pi));
+}
+
 TEST(Crossings, AreThoseThatDenseRowsSee) {
-    for (Crossed crossed : {Crossed::theta, Crossed::omega}) {
-        const Pendulum p{.beta = 0.25, .drive_amplitude = 1.5, .drive_frequency = 2.0 / 3, .drive_phase = 0.5};
-        const auto found = all_crossings(p, {1, 0}, crossed, 500);
+    const Level levels[] = {Crossed::theta,         {Crossed::theta, 0.7},  {Crossed::theta, pi}, {Crossed::theta, -9},
+                            {Crossed::theta, 3.14}, {Crossed::omega, 0},    {Crossed::omega, 1},  {Crossed::omega, -1.7},
+                            {Crossed::theta, -3.1}, {Crossed::omega, 1e-9}, {Crossed::omega, 2}};
+    const Pendulum p{.beta = 0.25, .drive_amplitude = 1.5, .drive_frequency = 2.0 / 3, .drive_phase = 0.5};
+    for (const Level& level : levels) {
+        const auto found = all_crossings(p, {1, 0}, level, 500);
         auto run = make_taylor(p, {1, 0});
         std::size_t next = 0;
-        Sample before{0, 1, 0, 0};
-        for (double t = 0.001; t < 499; t += 0.001) {
+        auto before = at(run, 1e-3);
+        if (!found.empty() && found[0].sample.t < 1e-3) ++next;
+        for (double t = 0.002; t < 499; t += 0.001) {
             while (!reaches(run, t)) step(run);
             const auto s = at(run, t);
-            const auto side = [&](const Sample& x) {
-                return crossed == Crossed::theta ? 2 * x.turns + (x.theta > 0 ? 1 : -1) : x.omega > 0 ? 1 : -1;
-            };
-            if (before.omega != 0 && side(s) != side(before)) {
+            const double side = side_of(s, level), side_before = side_of(before, level);
+            if (side != side_before) {
                 ASSERT_LT(next, found.size());
                 EXPECT_GT(found[next].sample.t, t - 0.0011);
                 EXPECT_LT(found[next].sample.t, t + 1e-9);
-                EXPECT_EQ(found[next++].is_rising, side(s) > side(before));
+                EXPECT_EQ(found[next++].is_rising, side > side_before);
             }
             before = s;
         }
-        EXPECT_GT(next, 50u);
+        EXPECT_GT(next, 25u) << level.at;
+        EXPECT_GE(next + 2, found.size()) << level.at;  // the last second, and two that are closer than the rows
     }
+}
+
+/// The time from the bottom to an angle of an oscillation: Legendre's elliptic integral.
+double time_from_bottom(double amplitude, double theta) {
+    const double k = std::sin(amplitude / 2);
+    return std::ellint_1(k, std::asin(std::sin(theta / 2) / k));
+}
+
+// Errors of 1e-15 in theta or omega, over the rate of change there, and the growth of an error in the energy over three
+// periods.
+TEST(Crossings, OfAnyAngleComeAtTheTimesOfTheEllipticIntegral) {
+    for (double amplitude : {0.5, 2.0, 3.0})
+        for (double part : {-0.999, -0.5, -1e-9, 0.3, 0.9}) {
+            const double level = part * amplitude, tau = 4 * time_from_bottom(amplitude, amplitude);
+            const double from_bottom = time_from_bottom(amplitude, level);
+            const auto found = all_crossings({}, {amplitude, 0}, {Crossed::theta, level}, 3 * tau);
+            ASSERT_EQ(found.size(), 6u) << amplitude << ' ' << level;
+            for (std::size_t i = 0; i < 6; ++i) {
+                const double start = static_cast<double>(i / 2) * tau;
+                const double want = i % 2 == 0 ? start + tau / 4 - from_bottom : start + 3 * tau / 4 + from_bottom;
+                EXPECT_NEAR(found[i].sample.t, want, 1e-13 / std::sqrt(1 - part * part)) << amplitude << ' ' << level;
+                EXPECT_EQ(found[i].is_rising, i % 2 == 1);
+                EXPECT_NEAR(found[i].sample.theta, level, 4.5e-16);
+            }
+        }
+}
+
+TEST(Crossings, OfAnyVelocityComeAtTheTimesOfTheEllipticIntegral) {
+    const double amplitude = 2, k = std::sin(1.0), tau = 4 * time_from_bottom(amplitude, amplitude);
+    for (double level : {-1.6, -0.4, 0.05, 0.9, 1.68}) {
+        const double theta = 2 * std::asin(std::sqrt(k * k - level * level / 4));  // energy: omega^2/4 + sin^2(theta/2) = k^2
+        const double late = time_from_bottom(amplitude, theta);
+        const double middle = level < 0 ? tau / 4 : 3 * tau / 4;  // at the bottom
+        const auto found = all_crossings({}, {amplitude, 0}, {Crossed::omega, level}, 0.999 * tau);
+        ASSERT_EQ(found.size(), 2u) << level;
+        EXPECT_NEAR(found[0].sample.t, middle - late, 1e-13) << level;
+        EXPECT_NEAR(found[1].sample.t, middle + late, 1e-13) << level;
+        EXPECT_EQ(found[0].is_rising, level > 0);
+        EXPECT_EQ(found[1].is_rising, level < 0);
+        EXPECT_NEAR(found[0].sample.omega, level, 4.5e-16);
+    }
+}
+
+TEST(Crossings, OfTheTopComeHalfATurnAfterTheBottom) {
+    for (double omega : {2.01, -3.0, 40.0}) {
+        const double tau = analyze(1, {0, omega}).tau;
+        for (double top : {pi, -pi, 3 * pi}) {
+            const auto found = all_crossings({}, {0, omega}, {Crossed::theta, top}, 100 * tau);
+            ASSERT_EQ(found.size(), 100u) << omega;
+            for (std::size_t i = 0; i < 100; ++i) {
+                EXPECT_NEAR(found[i].sample.t, (0.5 + static_cast<double>(i)) * tau,
+                            1e-13 * tau * (1 + static_cast<double>(i)) / std::fmin(1, std::fabs(energy(1, {0, omega}) - 2)));
+                EXPECT_EQ(found[i].is_rising, omega > 0);
+                EXPECT_NEAR(std::fabs(found[i].sample.theta), pi, 1e-15 * std::fmax(1, std::fabs(omega)));
+            }
+        }
+    }
+}
+
+TEST(Crossings, OfAnAngleAreThoseOfTheAngleWithoutItsTurns) {
+    const Pendulum p{.beta = 0.1, .torque = 0.3, .drive_amplitude = 1, .drive_frequency = 0.7};
+    for (double theta : {-2.5, 0.0, 1.0}) {
+        const auto near = all_crossings(p, {0.5, 1}, {Crossed::theta, theta}, 100);
+        const auto far = all_crossings(p, {0.5, 1}, {Crossed::theta, theta + 2 * pi * 1000}, 100);
+        ASSERT_GT(near.size(), 10u);
+        ASSERT_EQ(far.size(), near.size());
+        for (std::size_t i = 0; i < near.size(); ++i)  // the far angle is a double within 5e-13 of the other
+            EXPECT_NEAR(far[i].sample.t, near[i].sample.t, 1e-12 / std::fmin(1, std::fabs(near[i].sample.omega)));
+    }
+}
+
+TEST(Crossings, FarFromTheBottomAreThoseOfTheAngleWithoutItsTurns) {
+    for (double theta : {1e9, -3e15, 2.8e16}) {  // up to 2^52 turns
+        const double start = wrap(theta);
+        const auto near = all_crossings({}, {start, 2.5}, {Crossed::theta, 0.5}, 50);
+        const auto far = all_crossings({}, {theta, 2.5}, {Crossed::theta, 0.5}, 50);
+        ASSERT_GT(near.size(), 5u);
+        ASSERT_EQ(far.size(), near.size()) << theta;
+        for (std::size_t i = 0; i < near.size(); ++i) EXPECT_EQ(far[i].sample.t, near[i].sample.t);
+    }
+}
+
+TEST(Crossings, InOneDirectionAreThoseOfBothWithoutTheOthers) {
+    const Pendulum p{.beta = 0.1, .torque = 0.05, .drive_amplitude = 1, .drive_frequency = 0.7};
+    for (Crossed crossed : {Crossed::theta, Crossed::omega}) {
+        const auto both = all_crossings(p, {-1, 2}, {crossed, 0.4}, 200);
+        const auto rising = all_crossings(p, {-1, 2}, {crossed, 0.4, Direction::rising}, 200);
+        const auto falling = all_crossings(p, {-1, 2}, {crossed, 0.4, Direction::falling}, 200);
+        ASSERT_EQ(rising.size() + falling.size(), both.size());
+        ASSERT_GT(falling.size(), 10u);
+        std::size_t up = 0, down = 0;
+        for (const auto& crossing : both) {
+            const auto& same = crossing.is_rising ? rising[up++] : falling[down++];
+            EXPECT_EQ(same.sample.t, crossing.sample.t);
+            EXPECT_EQ(same.is_rising, crossing.is_rising);
+        }
+    }
+}
+
+TEST(Crossings, OfAPendulumThatRestsOnTopAreNone) {
+    const Pendulum shaken{.beta = 0.2, .pivot_amplitude = 1, .drive_frequency = 2};
+    for (double top : {pi, -pi, 3 * pi, to_radians(540)})
+        for (const Level& level : {Level(Crossed::theta), Level(Crossed::theta, 3), Level(Crossed::omega)}) {
+            EXPECT_TRUE(all_crossings({}, {top, 0}, level, 1e4).empty());
+            EXPECT_TRUE(all_crossings(shaken, {top, 0}, level, 1e4).empty());
+        }
 }
 
 TEST(Crossings, AStartUponALevelIsNone) {
@@ -116,6 +233,11 @@ TEST(Crossings, AStartUponALevelIsNone) {
     EXPECT_NEAR(turned[0].sample.t, analyze(1, {0, 6}).tau, 1e-14);
     EXPECT_EQ(turned[0].sample.turns, 1);
     EXPECT_TRUE(all_crossings({}, {0, 0}, Crossed::theta, 100).empty());
+    const auto fast = all_crossings({}, {0, 1e5}, Crossed::theta, 10.5 * 2 * pi / 1e5);  // more than a turn in a step
+    ASSERT_EQ(fast.size(), 10u);
+    EXPECT_NEAR(fast[0].sample.t, 2 * pi / 1e5, 1e-14);
+    for (double theta : {1.0, 7.0, -100.0})
+        EXPECT_EQ(all_crossings({}, {theta, 0.1}, {Crossed::theta, theta}, analyze(1, {theta, 0.1}).tau * 0.99).size(), 1u);
 }
 
 TEST(Crossings, OfAGrazedLevelAreTwoOrNone) {
@@ -178,6 +300,90 @@ TEST(Crossings, OfWhatIsNotFiniteAreNone) {
     EXPECT_TRUE(all_crossings({}, {0, HUGE_VAL}, Crossed::omega, 10).empty());
 }
 
+TEST(Crossings, OfAnIllegalLevelAreNone) {
+    EXPECT_TRUE(all_crossings({}, {1, 0}, {Crossed::theta, std::nan("")}, 10).empty());
+    EXPECT_TRUE(all_crossings({}, {1, 0}, {Crossed::omega, HUGE_VAL}, 10).empty());
+    EXPECT_TRUE(all_crossings({}, {1, 0}, static_cast<Crossed>(2), 10).empty());
+    EXPECT_TRUE(all_crossings({}, {1, 0}, {Crossed::theta, 0, static_cast<Direction>(3)}, 10).empty());
+}
+
+/// Members of every kind: free, driven, at rest on top, and one whose motion leaves the doubles.
+struct Members {
+    std::vector<double> theta, omega, torque, at, until;
+    Ensemble ensemble() const {
+        return {.size = theta.size(), .theta = theta, .omega = omega, .beta = 0.1, .torque = torque, .drive_amplitude = 0.0};
+    }
+};
+
+Members members() {
+    std::mt19937_64 random(3);
+    std::uniform_real_distribution<double> any(-3, 3);
+    Members m;
+    for (int i = 0; i < 150; ++i) {
+        m.theta.push_back(i == 10 ? pi : any(random));
+        m.omega.push_back(i == 10 ? 0 : any(random));
+        m.torque.push_back(i == 10 ? 0 : i == 20 ? 1e308 : 0.5 * any(random));
+        m.at.push_back(any(random));
+        m.until.push_back(20 + 6 * any(random));
+    }
+    return m;
+}
+
+TEST(CrossingsOfEnsembles, AreThoseOfTheirMembersWithAnyNumberOfThreads) {
+    const Members m = members();
+    const Ensemble e = m.ensemble();
+    for (int threads : {1, 3}) {
+        std::vector<std::vector<Crossing>> found(e.size);
+        const auto receive = [&found](std::size_t member, const Crossing& crossing) {
+            found[member].push_back(crossing);
+            return true;
+        };
+        ASSERT_TRUE(find_crossings(e, {.at = m.at, .until = m.until}, 1e-15, receive, {.threads = threads}).is_done());
+        for (std::size_t i = 0; i < e.size; ++i) {
+            const auto alone = all_crossings(pendulum_of(e, i), initial_state_of(e, i), {Crossed::theta, m.at[i]}, m.until[i]);
+            if (i == 20) {
+                ASSERT_FALSE(found[i].empty());
+                EXPECT_TRUE(std::isnan(found[i].back().sample.t));
+                continue;
+            }
+            ASSERT_EQ(found[i].size(), alone.size()) << i;
+            for (std::size_t j = 0; j < alone.size(); ++j) {
+                EXPECT_EQ(found[i][j].sample.t, alone[j].sample.t);
+                EXPECT_EQ(found[i][j].is_rising, alone[j].is_rising);
+            }
+        }
+    }
+}
+
+TEST(CrossingsOfEnsembles, EndWhereTheReceiverOrTheCallerEndsThem) {
+    const Members m = members();
+    const auto full = [](std::size_t, const Crossing&) { return false; };
+    const auto more = [](std::size_t, const Crossing&) { return true; };
+    EXPECT_EQ(find_crossings(m.ensemble(), {.until = 50.0}, 1e-15, full).kind, Outcome::Kind::stopped);
+    EXPECT_EQ(find_crossings(m.ensemble(), {.until = 1e12}, 1e-15, more, {.proceed = [](double) { return false; }}).kind,
+              Outcome::Kind::stopped);
+}
+
+TEST(CrossingsOfEnsembles, AreRefusedWithTheirArgument) {
+    const Members m = members();
+    const Ensemble e = m.ensemble();
+    const auto more = [](std::size_t, const Crossing&) { return true; };
+    const auto refused = [&](const EnsembleLevels& levels, double tolerance) {
+        return std::string(find_crossings(e, levels, tolerance, more).refusal.name);
+    };
+    EXPECT_EQ(refused({.crossed = static_cast<Crossed>(2)}, 1e-15), "crossed");
+    EXPECT_EQ(refused({.direction = static_cast<Direction>(3)}, 1e-15), "direction");
+    EXPECT_EQ(refused({.at = std::nan("")}, 1e-15), "at");
+    EXPECT_EQ(refused({.until = -1.0}, 1e-15), "until");
+    EXPECT_EQ(refused({}, 1), "tolerance");
+    const std::vector<double> two{1, 2};
+    EXPECT_EQ(refused({.at = two}, 1e-15), "at");
+    EXPECT_EQ(refused({.until = two}, 1e-15), "until");
+    std::vector<double> periods(e.size - 1);
+    EXPECT_EQ(measured_period(e, 10.0, 1e-15, periods).refusal.name, std::string("periods"));
+    EXPECT_EQ(measured_period(e, two, 1e-15, periods).refusal.name, std::string("until"));
+}
+
 double period_of(const Pendulum& p, State initial, double until) {
     double period = 0;
     EXPECT_TRUE(measured_period(p, initial, until, 1e-15, period).is_done());
@@ -203,6 +409,21 @@ TEST(MeasuredPeriod, OfALockedOrbitIsTheDrives) {
 TEST(MeasuredPeriod, OfTooFewCrossingsIsNan) {
     EXPECT_TRUE(std::isnan(period_of({}, {1, 0}, 3)));
     EXPECT_TRUE(std::isnan(period_of({}, {0, 0}, 1000)));
+}
+
+TEST(MeasuredPeriod, OfAnEnsembleIsThatOfItsMembers) {
+    const Members m = members();
+    const Ensemble e = m.ensemble();
+    std::vector<double> periods(e.size);
+    ASSERT_TRUE(measured_period(e, m.until, 1e-15, periods, {.threads = 2}).is_done());
+    int numbers = 0;
+    for (std::size_t i = 0; i < e.size; ++i) {
+        const double alone = period_of(pendulum_of(e, i), initial_state_of(e, i), m.until[i]);
+        EXPECT_TRUE(periods[i] == alone || (std::isnan(periods[i]) && std::isnan(alone))) << i;
+        numbers += alone == alone;
+    }
+    EXPECT_GT(numbers, 50);
+    EXPECT_TRUE(std::isnan(periods[10]) && std::isnan(periods[20]));
 }
 
 }  // namespace

@@ -16,8 +16,8 @@ constexpr Method every_method[] = {Method::rk4, Method::euler, Method::verlet, M
 
 /// When each member is looked at.
 struct Looks {
-    std::vector<double> first{0}, every{1}, steps_to_first{1}, steps_per_row{1};
-    EnsembleTimes times() const { return {first, every, row_count, steps_to_first, steps_per_row}; }
+    std::vector<double> first{0}, every{1}, steps_to_first{1}, steps_per_row{1}, given{}, dt{0};
+    EnsembleTimes times() const { return {first, every, row_count, steps_to_first, steps_per_row, given, dt}; }
 };
 
 /// Members of every kind that a method takes, in no order: free, with friction, torque, drive or shaken pivot, at rest on top
@@ -77,7 +77,9 @@ std::vector<Sample> alone(const Flock& flock, std::size_t i, Method method, cons
                                   .rows = row_count,
                                   .steps_per_row = value_of(looks.steps_per_row, i),
                                   .first = value_of(looks.first, i),
-                                  .steps_to_first = value_of(looks.steps_to_first, i)}});
+                                  .steps_to_first = value_of(looks.steps_to_first, i),
+                                  .times = looks.given,
+                                  .dt = value_of(looks.dt, i)}});
 }
 
 bool same(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0 || (std::isnan(a) && std::isnan(b)); }
@@ -88,8 +90,12 @@ void expect_members_alone(Method method, const Looks& looks, std::size_t stride 
     std::vector<std::vector<Sample>> want;
     for (std::size_t i = 0; i < most; ++i) want.push_back(alone(flock, i, method, looks));
     for (std::size_t size = most; size > 0; size -= std::min(size, stride)) {
-        const Looks own{first_of(looks.first, size), first_of(looks.every, size), first_of(looks.steps_to_first, size),
-                        first_of(looks.steps_per_row, size)};
+        const Looks own{first_of(looks.first, size),
+                        first_of(looks.every, size),
+                        first_of(looks.steps_to_first, size),
+                        first_of(looks.steps_per_row, size),
+                        looks.given,
+                        first_of(looks.dt, size)};
         const std::vector<double> nowhere(row_count * size, 1e9);
         auto theta = nowhere, omega = nowhere, turns = nowhere;
         const Control control{.threads = 1 + static_cast<int>(size % 3)};
@@ -112,6 +118,15 @@ TEST(Ensembles, AreTheirMembersAlone) {
 TEST(Ensembles, ThatAreLookedAtLateAreTheirMembersAlone) {
     for (Method method : every_method)
         expect_members_alone(method, {.first = {1.3}, .every = {0.7}, .steps_to_first = {97}, .steps_per_row = {40}});
+}
+
+TEST(Ensembles, AtGivenTimesAreTheirMembersAlone) {
+    std::vector<double> dt;
+    for (std::size_t i = 0; i < most; ++i) dt.push_back(0.01 + 0.003 * static_cast<double>(i % 7));
+    for (Method method : every_method) {
+        expect_members_alone(method, {.given = {0, 0.31, 0.31, 2.5}, .dt = {0.01}});
+        expect_members_alone(method, {.given = {0.1, 0.1, 1.7, 30}, .dt = dt});
+    }
 }
 
 TEST(Ensembles, OfMembersWithTimesAndStepsOfTheirOwnAreTheirMembersAlone) {

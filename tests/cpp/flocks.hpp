@@ -6,9 +6,15 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <ostream>
+#include <stdexcept>
 #include <vector>
 
 #include "pendula/validate.hpp"
+
+namespace pendula {
+inline void PrintTo(Kind kind, std::ostream* out) { *out << kind_names[static_cast<int>(kind)]; }
+}  // namespace pendula
 
 namespace reference {
 
@@ -36,50 +42,67 @@ inline Flock published(std::vector<double> amplitudes) {
     return {.theta = {0.2}, .beta = {0.5}, .drive_amplitude = std::move(amplitudes), .drive_frequency = {2.0 / 3}};
 }
 
-/// All columns of a measure, in its order.
-inline std::vector<std::vector<double>> measured(Measure what, const Flock& flock, const Strobe& strobe,
-                                                 const Control& control = {}) {
-    std::vector<std::vector<double>> columns;
+/// The results of a measure, by the names of its columns.
+class Table {
+  public:
+    std::vector<std::vector<double>> columns;  ///< in the order of the measure
+
+    explicit Table(Measure what)
+        : columns(measures[static_cast<std::size_t>(what)].columns.size()), info_(&measures[static_cast<std::size_t>(what)]) {}
+
+    const std::vector<double>& operator[](const char* name) const {
+        for (std::size_t i = 0; i < columns.size(); ++i)
+            if (std::strcmp(info_->columns[i].name, name) == 0) return columns[i];
+        throw std::out_of_range(name);
+    }
+    Kind kind(std::size_t member) const { return static_cast<Kind>((*this)["kind"][member]); }
+
+  private:
+    const MeasureInfo* info_;
+};
+
+/// A table that run(ensemble, results) fills.
+template <class Run>
+Table filled(Measure what, const Flock& flock, const Strobe& strobe, const Run& run) {
+    Table table(what);
     std::vector<std::span<double>> results;
-    for (const auto& column : measures[static_cast<std::size_t>(what)].columns)
-        columns.emplace_back(rows_of(column, strobe) * flock.size());
-    results.assign(columns.begin(), columns.end());
-    const auto outcome = measure(what, flock.ensemble(), strobe, std::span<const std::span<double>>(results), control);
+    for (std::size_t i = 0; i < table.columns.size(); ++i) {
+        table.columns[i].resize(rows_of(measures[static_cast<std::size_t>(what)].columns[i], strobe) * flock.size());
+        results.emplace_back(table.columns[i]);
+    }
+    const Outcome outcome = run(flock.ensemble(), std::span<const std::span<double>>(results));
     EXPECT_TRUE(outcome.is_done()) << describe(outcome.refusal);
-    return columns;
+    return table;
 }
 
-struct Orbits {
-    std::vector<double> label, period, rotation, theta, omega;
-};
-
-inline Orbits orbits_of(const Flock& flock, const Strobe& strobe) {
-    auto c = measured(Measure::attractors, flock, strobe);
-    return {c[0], c[1], c[2], c[3], c[4]};
+inline Table measured(Measure what, const Flock& flock, const Strobe& strobe, const Control& control = {}) {
+    return filled(what, flock, strobe,
+                  [&](const Ensemble& e, const Results& r) { return measure(what, e, strobe, r, control); });
 }
 
-inline std::vector<double> velocities_of(const Flock& flock, const Strobe& strobe, const Control& control = {}) {
-    return measured(Measure::mean_velocity, flock, strobe, control)[0];
+inline Table section_of(const Flock& flock, const Strobe& strobe, const Control& control = {}) {
+    return measured(Measure::section, flock, strobe, control);
+}
+inline Table velocity_of(const Flock& flock, const Strobe& strobe, const Control& control = {}) {
+    return measured(Measure::mean_velocity, flock, strobe, control);
+}
+inline Table exponent_of(const Flock& flock, const Strobe& strobe, const Control& control = {}) {
+    return measured(Measure::lyapunov, flock, strobe, control);
+}
+inline Table attractors_of(const Flock& flock, const Strobe& strobe, const Control& control = {}) {
+    return measured(Measure::attractors, flock, strobe, control);
 }
 
-struct Exponents {
-    std::vector<double> exponent, error, horizon, history;
-};
-
-inline Exponents exponents_of(const Flock& flock, const Strobe& strobe, double rows = 0, const Control& control = {}) {
-    Strobe with_rows = strobe;
-    with_rows.history_rows = rows;
-    auto c = measured(Measure::lyapunov, flock, with_rows, control);
-    return {c[0], c[1], c[2], c[3]};
+/// Strobes that go on for the transient and the measured periods, and no more.
+inline Strobe by_rk4(double transient, double periods, double steps) {
+    return {.transient = transient,
+            .periods = periods,
+            .steps_per_period = steps,
+            .method = Method::rk4,
+            .budget = transient + periods};
 }
-
-struct Points {
-    std::vector<double> theta, omega, turns;
-};
-
-inline Points section_of(const Flock& flock, const Strobe& strobe, const Control& control = {}) {
-    auto c = measured(Measure::section, flock, strobe, control);
-    return {c[0], c[1], c[2]};
+inline Strobe by_taylor(double transient, double periods) {
+    return {.transient = transient, .periods = periods, .budget = transient + periods};
 }
 
 inline std::vector<double> linspace(double first, double last, std::size_t n) {
@@ -91,6 +114,9 @@ inline std::vector<double> linspace(double first, double last, std::size_t n) {
 
 inline bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
     return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
+}
+inline bool same_bits(const Table& a, const Table& b) {
+    return std::ranges::equal(a.columns, b.columns, [](const auto& one, const auto& other) { return same_bits(one, other); });
 }
 
 }  // namespace reference

@@ -1,4 +1,4 @@
-// Lyapunov exponents: analytic values, identities, and errors that are what they say.
+// Lyapunov exponents: analytic values, identities, and errors that cover the truth.
 #include <complex>
 #include <random>
 
@@ -13,40 +13,67 @@ using namespace reference;
 constexpr double inf = INFINITY;
 
 TEST(Lyapunov, OfPeriodicOrbitsAwayFromBifurcationsIsMinusHalfTheFriction) {
-    const auto found = exponents_of(published({0.9, 1.35}), {100, 400, 200});
-    for (int i : {0, 1}) {
-        EXPECT_NEAR(found.exponent[i], -0.25, 3 * found.error[i]);
-        EXPECT_NEAR(found.exponent[i], -0.25, 0.001);
-        EXPECT_EQ(found.horizon[i], inf);
+    for (const auto& strobe : {Strobe{}, by_rk4(100, 400, 200)}) {
+        const auto found = exponent_of(published({0.9, 1.35}), strobe);
+        for (int i : {0, 1}) {
+            EXPECT_NEAR(found["exponent"][i], -0.25, found["error"][i]);
+            EXPECT_LT(found["error"][i], 1e-13);
+            EXPECT_EQ(found["horizon"][i], inf);
+            EXPECT_EQ(found["dimension"][i], 0);
+        }
     }
 }
 
 TEST(Lyapunov, OfTaylorIsThatOfRk4) {
     const auto flock = published({0.9, 1.07, 1.35, 1.47});
-    const auto rk4 = exponents_of(flock, {100, 100, 500});
-    const auto taylor = exponents_of(flock, {.transient = 100, .periods = 100, .method = Method::taylor});
-    for (int i = 0; i < 4; ++i) EXPECT_NEAR(taylor.exponent[i], rk4.exponent[i], 1e-6);
-}
-
-TEST(Lyapunov, OfChaosIsPositiveAndItsHorizonThatOfADoublesRounding) {
-    const auto found = exponents_of(published({1.15, 1.5}), {100, 500, 200});
-    for (int i : {0, 1}) {
-        EXPECT_GT(found.exponent[i], 10 * found.error[i]);
-        EXPECT_EQ(found.horizon[i], 52 * std::log(2.0) / found.exponent[i]);
+    const auto rk4 = exponent_of(flock, by_rk4(100, 400, 500)), taylor = exponent_of(flock, {});
+    for (int i : {0, 1, 2, 3}) {
+        EXPECT_NEAR(taylor["exponent"][i], rk4["exponent"][i], 1e-6);
+        EXPECT_EQ(taylor.kind(i), Kind::periodic);
+        EXPECT_EQ(rk4.kind(i), Kind::periodic);
     }
 }
 
-TEST(Lyapunov, StandardErrorIsTheSpreadOverDifferentStarts) {
+TEST(Lyapunov, OfChaosIsThatOfManyOtherMotions) {
+    // By NumPy: 96 motions of 700 periods, rk4 with 250 steps, with the standard error of their mean.
+    const struct {
+        double amplitude, exponent, error;
+    } cases[] = {{1.15, 0.0995, 0.0006}, {1.5, 0.1124, 0.0003}};
+    for (const auto& c : cases) {
+        const auto found = exponent_of(published({c.amplitude}), {.budget = 3000});
+        EXPECT_EQ(found.kind(0), Kind::chaotic);
+        EXPECT_NEAR(found["exponent"][0], c.exponent, found["error"][0] + 2 * c.error);
+    }
+}
+
+TEST(Lyapunov, OfChaosIsPositiveAndItsHorizonThatOfADoublesRounding) {
+    const auto found = exponent_of(published({1.15, 1.5}), by_rk4(100, 1000, 200));
+    for (int i : {0, 1}) {
+        const double exponent = found["exponent"][i], error = found["error"][i];
+        EXPECT_EQ(found.kind(i), Kind::chaotic);
+        EXPECT_GT(exponent, 4 * error);
+        EXPECT_EQ(found["horizon"][i], 52 * std::log(2.0) / exponent);
+        EXPECT_EQ(found["second"][i], -0.5 - exponent);
+        EXPECT_NEAR(found["dimension"][i], 1 + exponent / (0.5 + exponent), 1e-15);
+    }
+}
+
+TEST(Lyapunov, OfChaosIsWithinItsErrorOfTheTruth) {
     Flock flock = published({1.5});
     constexpr int starts = 256;
     flock.theta = linspace(-1, 1, starts);
-    const auto found = exponents_of(flock, {50, 1000, 100});
+    const auto found = exponent_of(flock, by_rk4(50, 1000, 100));
     double mean = 0, spread = 0, stated = 0;
-    for (double x : found.exponent) mean += x / starts;
-    for (double x : found.exponent) spread += (x - mean) * (x - mean) / (starts - 1);
-    for (double x : found.error) stated += x * x / starts;
-    EXPECT_NEAR(std::sqrt(stated / spread), 1,
-                0.15);  // the spread is uncertain by 4.4 %, and blocks of 31 periods remember a little
+    for (double x : found["exponent"]) mean += x / starts;  // 16 times closer to the truth than a single one
+    int covered = 0;
+    for (int i = 0; i < starts; ++i) {
+        const double off = found["exponent"][i] - mean, error = found["error"][i];
+        spread += off * off / (starts - 1);
+        stated += error * error / starts;
+        covered += std::abs(off) <= error;
+    }
+    EXPECT_GE(covered, 0.95 * starts);
+    EXPECT_LT(std::sqrt(stated / spread), 4);  // two standard errors would do
 }
 
 TEST(Lyapunov, SumOfBothIsMinusTheFriction) {
@@ -84,18 +111,18 @@ TEST(Lyapunov, SumOfBothIsMinusTheFriction) {
 }
 
 TEST(Lyapunov, AtRestOnTopIsThatOfTheSaddle) {
-    const auto found = exponents_of({.theta = {pi}, .alpha = {9.81}, .beta = {0.3}}, {0, 2, 100}, 2);
+    const auto found = exponent_of({.theta = {pi}, .alpha = {9.81}, .beta = {0.3}}, {.periods = 2, .history_rows = 2});
     const double expected = -0.15 + std::sqrt(0.15 * 0.15 + 9.81);
-    EXPECT_NEAR(found.exponent[0], expected, 1e-15 * expected);
-    EXPECT_EQ(found.history, (std::vector<double>{found.exponent[0], found.exponent[0]}));
-    EXPECT_EQ(found.error[0], 0);
+    EXPECT_NEAR(found["exponent"][0], expected, 1e-15 * expected);
+    EXPECT_LE(found["error"][0], 1e-15 * expected);
+    EXPECT_EQ(found["history"], (std::vector<double>{found["exponent"][0], found["exponent"][0]}));
+    EXPECT_EQ(found.kind(0), Kind::fixed_point);
 }
 
 TEST(Lyapunov, IsKnownForDrivesSoSlowThatAPeriodShrinksDisplacementsOutOfRange) {
-    for (const auto method : {Method::rk4, Method::taylor}) {
-        const Flock flock{.theta = {0.1}, .beta = {1}, .drive_amplitude = {0.1}, .drive_frequency = {0.001}};
-        EXPECT_NEAR(exponents_of(flock, {0, 2, 40000, method}).exponent[0], -0.5, 0.001);
-    }
+    const Flock flock{.theta = {0.1}, .beta = {1}, .drive_amplitude = {0.1}, .drive_frequency = {0.001}};
+    for (const auto& strobe : {by_taylor(0, 2), by_rk4(0, 2, 40000)})
+        EXPECT_NEAR(exponent_of(flock, strobe)["exponent"][0], -0.5, 0.001);
 }
 
 TEST(Lyapunov, IsKnownWhereAFewStepsGrowOutOfTheRangeOfSquares) {
@@ -103,9 +130,8 @@ TEST(Lyapunov, IsKnownWhereAFewStepsGrowOutOfTheRangeOfSquares) {
     const Pendulum p{.pivot_amplitude = -10, .drive_frequency = 0.001};
     Flock flock{.theta = {0}, .drive_frequency = {0.001}};
     flock.pivot_amplitude = {-10};
-    const Strobe coarse{.transient = 0, .periods = 2, .steps_per_period = fewest_steps(p)};
-    const Strobe fine{.transient = 0, .periods = 2, .method = Method::taylor};
-    const double exact_growth = exponents_of(flock, fine).exponent[0];
+    const auto coarse = by_rk4(0, 2, fewest_steps(p)), fine = by_taylor(0, 2);
+    const double exact_growth = exponent_of(flock, fine)["exponent"][0];
     EXPECT_NEAR(exact_growth, 1.0757, 1e-4);
     // Where the drive is this slow, each step multiplies the displacement by |1 + z + z^2/2 + z^3/6 + z^4/24|, z^2 = (10 cos -
     // 1) h^2.
@@ -116,22 +142,22 @@ TEST(Lyapunov, IsKnownWhereAFewStepsGrowOutOfTheRangeOfSquares) {
         const auto z = std::sqrt(std::complex<double>(10 * std::cos(2 * pi * (i + 0.5) / phases) - 1)) * h;
         growth += std::log(std::abs(1.0 + z * (1.0 + z / 2.0 * (1.0 + z / 3.0 * (1.0 + z / 4.0))))) / phases / h;
     }
-    EXPECT_NEAR(exponents_of(flock, coarse).exponent[0], growth, 0.001);  // the change of z within a step is left out
+    EXPECT_NEAR(exponent_of(flock, coarse)["exponent"][0], growth, 0.001);  // the change of z within a step is left out
 }
 
 TEST(Lyapunov, HistoryEndsAtTheExponentAndFollowsThePeriods) {
-    const auto flock = published({0.9, 1.15});
-    const auto whole = exponents_of(flock, {10, 50, 100}, 7);
-    EXPECT_EQ(whole.history[12], whole.exponent[0]);
-    EXPECT_EQ(whole.history[13], whole.exponent[1]);
-    const auto part = exponents_of(flock, {10, 21, 100});  // floor(3 50/7)
-    EXPECT_EQ(whole.history[5], part.exponent[1]);
+    const auto flock = published({0.9, 1.15});  // periodic, chaotic
+    auto strobe = by_rk4(10, 50, 100);
+    strobe.history_rows = 7;
+    const auto whole = exponent_of(flock, strobe), part = exponent_of(flock, by_rk4(10, 21, 100));  // floor(3 50/7)
+    EXPECT_EQ(whole["history"][12], whole["exponent"][0]);
+    EXPECT_EQ(whole["history"][13], whole["exponent"][1]);
+    EXPECT_EQ(whole["history"][5], part["exponent"][1]);
 }
 
-TEST(Lyapunov, HasNoErrorFromASinglePeriod) {
-    const auto found = exponents_of(published({0.9}), {10, 1, 100});
-    EXPECT_FALSE(std::isnan(found.exponent[0]));
-    EXPECT_TRUE(std::isnan(found.error[0]));
+TEST(Lyapunov, OfASinglePeriodIsWithinItsError) {
+    const auto found = exponent_of(published({1.5}), by_rk4(100, 1, 100));
+    EXPECT_NEAR(found["exponent"][0], 0.1124, found["error"][0]);
 }
 
 }  // namespace

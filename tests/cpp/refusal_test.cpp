@@ -144,7 +144,7 @@ TEST(Refusals, OfTolerancesOutsideTheirInterval) {
         EXPECT_TRUE(std::isnan(at(make_taylor({}, {1, 0}, tolerance), 0).theta)) << tolerance;
         double period;
         EXPECT_EQ(measured_period({}, {1, 0}, 10, tolerance, period).refusal.name, std::string("tolerance"));
-        EXPECT_EQ(check(driven, Strobe{.method = Method::taylor, .tolerance = tolerance}).name, std::string("tolerance"));
+        EXPECT_EQ(check(driven, Strobe{.tolerance = tolerance}).name, std::string("tolerance"));
     }
 }
 
@@ -161,9 +161,9 @@ TEST(Refusals, OfAnAlphaOutsideItsIntervalByEveryEntry) {
         EXPECT_FALSE(next_crossing(search, 10, crossing));
         Analysis analysis;
         EXPECT_EQ(analyze_by_series(alpha, {1, 0}, 1e-7, analysis).refusal.name, std::string("alpha"));
-        double period, velocity[1];
+        double period, a[1];
         EXPECT_EQ(measured_period(p, {1, 0}, 10, 1e-15, period).refusal.name, std::string("alpha"));
-        const auto outcome = measure(Measure::mean_velocity, {.size = 1, .alpha = alpha}, {}, {velocity});
+        const auto outcome = measure(Measure::mean_velocity, {.size = 1, .alpha = alpha}, {}, {a, a, a, a, a});
         EXPECT_EQ(outcome.kind, Outcome::Kind::refused);
         EXPECT_EQ(outcome.refusal.name, std::string("alpha"));
         EXPECT_EQ(outcome.refusal.member, 0u);
@@ -198,7 +198,7 @@ TEST(Refusals, OfStepsTooLongForFrictionTellHowManyWouldDo) {
         EXPECT_FALSE(refusal_of(p));
         for (const auto& row : solve(p)) EXPECT_LE(std::fabs(row.omega), 1);  // no growth
     }
-    Strobe strobe{.steps_per_period = 10};
+    Strobe strobe{.steps_per_period = 10, .method = Method::rk4};
     const Pendulum stiff{.beta = 1000, .drive_amplitude = 1, .drive_frequency = 1};
     EXPECT_EQ(check(stiff, strobe).reason, unstable);
     strobe.steps_per_period = check(stiff, strobe).least;
@@ -209,10 +209,10 @@ TEST(Refusals, OfStepsTooLongForFrictionTellHowManyWouldDo) {
 
 TEST(Refusals, OfEveryMemberAsIfItStoodAlone) {
     // Both ends of the range are stable with 1000 steps a period; just above 0 the period is too long.
-    std::vector<double> frequency, velocity(1001);
+    std::vector<double> frequency, a(1001);
     for (int i = 0; i <= 1000; ++i) frequency.push_back(1e-3 * i);
     const Ensemble e{.size = 1001, .theta = 1, .drive_frequency = frequency};
-    const auto outcome = measure(Measure::mean_velocity, e, {2, 5}, {velocity});
+    const auto outcome = measure(Measure::mean_velocity, e, {.method = Method::rk4}, {a, a, a, a, a});
     EXPECT_EQ(outcome.refusal.reason, unstable);
     EXPECT_EQ(outcome.refusal.member, 1u);  // the first, of frequency 0, is looked at each period of small swings
     EXPECT_EQ(outcome.refusal.least, std::ceil(2 * pi / 1e-3 / 2.82));
@@ -244,17 +244,27 @@ TEST(Refusals, OfArraysThatAreTooShortOrNotThere) {
     const auto measured = [](Measure what, const Ensemble& e, const Strobe& strobe, const Results& results) {
         return measure(what, e, strobe, results).refusal;
     };
-    refused(measured(Measure::section, {.size = 3, .theta = two}, {0, 2}, {a, b, c}), "theta0", 2, 3);
-    refused(measured(Measure::section, {.size = 3}, {0, 2}, {a, {b, 5}, c}), "omega", 5, 6);
-    refused(measured(Measure::section, {.size = 3}, {0, 2}, {a, b}), "results", 2, 3);
-    refused(measured(Measure::mean_velocity, {.size = 3}, {}, {no_results}), "mean_velocity", 0, 3);
-    refused(measured(Measure::lyapunov, {.size = 3}, {.periods = 5, .history_rows = 2}, {a, b, c, {}}), "history", 0, 6);
+    refused(measured(Measure::section, {.size = 3, .theta = two}, {0, 2}, {a, b, c, c}), "theta0", 2, 3);
+    refused(measured(Measure::section, {.size = 3}, {0, 2}, {a, {b, 5}, c, c}), "omega", 5, 6);
+    refused(measured(Measure::section, {.size = 3}, {0, 2}, {a}), "results", 1, 2);
+    refused(measured(Measure::mean_velocity, {.size = 3}, {}, {no_results, b, c, c, c}), "mean_velocity", 0, 3);
+    refused(measured(Measure::lyapunov, {.size = 3}, {.periods = 5, .history_rows = 2}, {a, b, c, c, c, c, c, c, c, {}}),
+            "history", 0, 6);
+}
+
+TEST(Refusals, OfNoDetailsThatAreLeftOut) {
+    double velocity[3], error[3], others[3];
+    const Ensemble rotations{.size = 3, .omega = 3.0};
+    EXPECT_TRUE(measure(Measure::mean_velocity, rotations, {}, {velocity, error}).is_done());
+    EXPECT_TRUE(measure(Measure::mean_velocity, rotations, {}, {others, error, {}, {}}).is_done());
+    for (int i : {0, 1, 2}) EXPECT_EQ(velocity[i], others[i]);
+    EXPECT_NEAR(velocity[0], 2.6040081905309407, 1e-14);  // twice the arithmetic-geometric mean of 3/2 and sqrt(5)/2
 }
 
 TEST(Refusals, OfWhatNoMeasureDoes) {
-    double velocity[1];
+    double a[1];
     const auto refusal = [&](const Strobe& strobe, Measure what = Measure::mean_velocity) {
-        const auto outcome = measure(what, {.size = 1, .theta = 1}, strobe, {velocity});
+        const auto outcome = measure(what, {.size = 1, .theta = 1}, strobe, {a, a, a, a, a});
         EXPECT_EQ(outcome.kind, Outcome::Kind::refused);
         if (what == Measure::mean_velocity) {
             EXPECT_EQ(check(Pendulum{}, strobe).name, std::string(outcome.refusal.name));
@@ -266,14 +276,20 @@ TEST(Refusals, OfWhatNoMeasureDoes) {
     for (double count : {2.5, -1.0, nan, inf}) {
         EXPECT_EQ(refusal({.transient = count}), std::pair(whole, std::string("transient")));
         EXPECT_EQ(refusal({.periods = count}), std::pair(whole, std::string("periods")));
+        EXPECT_EQ(refusal({.budget = count}), std::pair(whole, std::string("budget")));
+        EXPECT_EQ(refusal({.orbit_period = count}), std::pair(whole, std::string("orbit_period")));
         EXPECT_EQ(refusal({.steps_per_period = count}), std::pair(whole, std::string("steps_per_period")));
         EXPECT_EQ(refusal({.history_rows = count}), std::pair(whole, std::string("history_rows")));
+    }
+    for (double bad : {nan, inf, -inf}) {
+        EXPECT_EQ(refusal({.phase = bad}), std::pair(interval, std::string("strobe_phase")));
+        EXPECT_EQ(refusal({.level = bad}), std::pair(interval, std::string("level")));
     }
     EXPECT_EQ(refusal({.periods = 0}), std::pair(whole, std::string("periods")));
     EXPECT_EQ(refusal({.periods = 2, .history_rows = 6}), std::pair(whole, std::string("history_rows")));
     for (double match : {0.0, -1.0, nan, inf}) EXPECT_EQ(refusal({.match = match}), std::pair(interval, std::string("match")));
-    EXPECT_EQ(refusal({.periods = 1e6, .steps_per_period = 1e12}).first, too_many_steps);
-    EXPECT_EQ(check(Pendulum{.beta = 1e300, .drive_frequency = 1}, Strobe{.method = Method::taylor}).reason, too_many_steps);
+    EXPECT_EQ(refusal({.periods = 1e6, .steps_per_period = 1e12, .method = Method::rk4}).first, too_many_steps);
+    EXPECT_EQ(check(Pendulum{.beta = 1e300, .drive_frequency = 1}, Strobe{}).reason, too_many_steps);
     EXPECT_EQ(refusal({}, static_cast<Measure>(99)), std::pair(not_among, std::string("measure")));
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstring>
 #include <random>
+#include <vector>
 
 #include "pendula/angle.hpp"
 #include "pendula/pendula.hpp"
@@ -173,6 +174,89 @@ TEST(Advance, ByTheClosedFormIsTheClosedForm) {
         const auto want = at(solution, s.t);
         EXPECT_TRUE(s.t == 0 || (s.theta == want.theta && s.omega == want.omega && s.turns == want.turns)) << s.t;
     }
+}
+
+constexpr Method all_methods[] = {Method::rk4, Method::euler, Method::verlet, Method::taylor, Method::exact};
+
+/// Measured times of thirty pictures a second, to a thousandth of a second; some repeated, and a gap.
+std::vector<double> measured_times() {
+    std::vector<double> t{0, 0, 1e-7};
+    for (int j = 1; j < 90; ++j) t.push_back(std::round(1000 * j / 30.0) / 1000);
+    t.insert(t.end(), {2.967, 2.967, 20, 20.5});
+    return t;
+}
+
+TEST(GivenTimes, HaveTheStatesOfTheClosedForm) {
+    const auto t = measured_times();
+    const double bound[] = {1e-11, 0.2, 1e-5, 1e-13, 1e-14};  // of 20.5 s with orders 4, 1 and 2 in steps of 0.001
+    const auto solution = make_exact(1.7, {2, 0.2});
+    for (Method method : all_methods) {
+        const auto rows =
+            solve({.pendulum = {.alpha = 1.7}, .initial = {2, 0.2}, .method = method, .schedule = make_schedule(t, 0.001)});
+        ASSERT_EQ(rows.size(), t.size());
+        for (std::size_t j = 0; j < rows.size(); ++j) {
+            EXPECT_EQ(rows[j].t, t[j]);
+            EXPECT_NEAR(rows[j].theta, at(solution, t[j]).theta, bound[static_cast<int>(method)])
+                << method_names[static_cast<int>(method)] << ' ' << t[j];
+        }
+        EXPECT_EQ(std::memcmp(&rows[0].theta, &rows[1].theta, sizeof(double)), 0);  // the same time, the same state
+    }
+}
+
+TEST(GivenTimes, ThatAreEvenlySpacedGiveTheBitsOfTheSchedule) {
+    std::vector<double> t;
+    for (int j = 0; j < 40; ++j) t.push_back(j * 0.25);  // without rounding
+    for (Method method : all_methods) {
+        auto p = problem(method, 1.7, {1, 0.2}, {0.013, 0.25, 9.75});
+        p.pendulum.alpha = 1.7;
+        const auto want = solve(p);
+        p.schedule = make_schedule(t, 0.013);
+        const auto got = solve(p);
+        ASSERT_EQ(got.size(), want.size());
+        EXPECT_EQ(std::memcmp(got.data(), want.data(), want.size() * sizeof want[0]), 0) << static_cast<int>(method);
+    }
+}
+
+TEST(GivenTimes, GiveTheSameBitsForAnyBlockAndBudget) {
+    const auto t = measured_times();
+    for (Method method : all_methods) {
+        const Problem p{.pendulum = {.alpha = 1.7},
+                        .initial = {2.5, 1},
+                        .method = method,
+                        .schedule = make_schedule(std::span<const double>(t), 0.013)};
+        const auto want = all_rows(p);
+        for (std::size_t block : {1, 7})
+            for (double budget : {1.0, 17.0}) {
+                const auto got = all_rows(p, block, budget);
+                ASSERT_EQ(got.size(), want.size());
+                EXPECT_EQ(std::memcmp(got.data(), want.data(), want.size() * sizeof want[0]), 0) << block << ' ' << budget;
+            }
+    }
+}
+
+TEST(GivenTimes, AreRefusedWithIndexAndValue) {
+    using enum Refusal::Reason;
+    const auto refusal = [](std::vector<double> t, double dt = 0.1, double beta = 0, Method method = Method::rk4) {
+        return check({.pendulum = {.beta = beta}, .method = method, .schedule = make_schedule(t, dt)});
+    };
+    EXPECT_FALSE(refusal({0, 1, 1, 2}));
+    const auto decreases = refusal({0, 1, 0.5, 2});
+    EXPECT_EQ(decreases.reason, decreasing);
+    EXPECT_EQ(decreases.row, 2u);
+    EXPECT_EQ(describe(decreases), "times must not decrease, got 0.5 after 1 at index 2");
+    EXPECT_EQ(describe(refusal({-1, 2})), "times must be finite and not negative, got -1 at index 0");
+    EXPECT_EQ(refusal({0, std::nan(""), 2}).row, 1u);
+    EXPECT_EQ(refusal({0, 1, HUGE_VAL}).row, 2u);
+    EXPECT_EQ(refusal({0, 1}, 0).name, std::string("dt"));
+    EXPECT_EQ(refusal({0, 1}, 1e-17).reason, too_many_steps);
+    EXPECT_FALSE(refusal({0, 1, 5}, 3, 1));  // steps of 1 and 2 s; up to 2.78 s rk4 is stable
+    EXPECT_EQ(refusal({0, 1, 4}, 3, 1).reason, unstable);
+    EXPECT_FALSE(refusal({0, 1, 5}, 0, 0, Method::taylor));
+    EXPECT_EQ(refusal({0, 1e300}, 0, 0, Method::exact).reason, too_late);
+    auto p = Problem{.method = Method::taylor, .schedule = {.rows = 3}};
+    const std::vector<double> two{0, 1};
+    p.schedule.times = two;
+    EXPECT_EQ(check(p).reason, length);
 }
 
 }  // namespace

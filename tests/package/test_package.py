@@ -144,7 +144,7 @@ def test_a_readme_shows_commands_that_work(prefix, readme, tmp_path):
     path = f"{prefix / 'bin'}:{os.environ['PATH']}"
     commands = re.findall(r"^(?:pendula|echo) .*(?:\n    .*)*", readme.read_text(), re.MULTILINE)
     of_the_program = [command for command in commands if not re.search("pendula (plot|check)", command)]
-    assert len(of_the_program) == 6
+    assert len(of_the_program) == 10
     for command in of_the_program:
         run("sh", "-c", f"cd {tmp_path} && {command}", PATH=path)
     assert {file.name for file in tmp_path.glob("*.png")} == {"bifurcation.png", "current_voltage.png"}

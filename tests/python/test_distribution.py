@@ -37,7 +37,7 @@ def test_the_version_is_one(program):
 def test_numpy_is_the_only_hard_dependency():
     requirements = importlib.metadata.requires("pendula")
     assert [re.match(r"\w+", each)[0] for each in requirements if "extra ==" not in each] == ["numpy"]
-    assert set(importlib.metadata.metadata("pendula").get_all("Provides-Extra")) == {"plot", "xarray", "all"}
+    assert set(importlib.metadata.metadata("pendula").get_all("Provides-Extra")) == {"pandas", "plot", "xarray", "all"}
 
 
 def test_optional_packages_are_imported_only_where_used():

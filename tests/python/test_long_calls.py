@@ -21,6 +21,8 @@ LONG_CALLS = {
     "taylor, one pendulum": lambda: pendula.solve(1.0, 0.0, every=1e9, until=1e9, method="taylor"),
     "verlet": lambda: pendula.solve(MANY[:1000], 0.0, dt=1e-5, every=1e3, until=1e3, method="verlet"),
     "euler, one pendulum": lambda: pendula.solve(1.0, 0.0, dt=1e-6, every=1e3, until=1e3, method="euler"),
+    "crossings": lambda: pendula.crossings(MANY[:1000], 0.0, of="omega", at=5.0, until=1e9, threads=2),
+    "measured_period": lambda: pendula.measured_period(1.0, 0.0, until=1e9),
     "attractors": lambda: pendula.measure.attractors(MANY[:1000], 0.0, periods=10**6),
     "lyapunov by taylor": lambda: pendula.measure.lyapunov(MANY[:1000], 0.0, periods=10**6, method="taylor"),
     "measure": lambda: pendula.measure.mean_velocity(MANY[:1000], 0.0, periods=10**6),

@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from pendula._solution import Solution
+    from pendula._tables import Method
     from pendula.check._table import Columns, Floats
 
 DEGREE = np.pi / 180
@@ -186,7 +187,7 @@ def _step(start: Start, problem: Asked) -> float:
     return problem.dt * start.tau / problem.tau
 
 
-def _by_steps(start: Start, step: float, t: Floats, method: str) -> Solution | None:
+def _by_steps(start: Start, step: float, t: Floats, method: Method) -> Solution | None:
     """Every step of a method, to beyond the last of the times."""
     last = float(t.max())
     if not 0 < last / step <= MOST_STEPS:

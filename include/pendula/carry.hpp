@@ -56,8 +56,9 @@ inline constexpr ResultColumn jump_columns[] = {
 /// The interval is halved until half its width, `error`, is at most `tolerance`, both in the unit of the parameter. A stable
 /// periodic orbit of a driven pendulum is followed by Newton's method. All other motions, and the first halvings, start from
 /// the last state on the branch, and are followed as in a measure. At the near end of the interval the branch is there, at the
-/// far end it was not found. Of several jumps between two members one is found. If the branch goes on up to the member, which
-/// left it only because the step of the sweep is long, there is no jump.
+/// far end it was not found. Of several jumps between two members one is found. If the branch goes on up to the member, it is
+/// followed to one and a half tolerances behind it, because it may end exactly there. If it does not end there, the member left
+/// it only because the step of the sweep is long, and there is no jump.
 ///
 /// The columns: value and error; the smallest distance of a point of the orbit before from the nearest orbit found behind, in
 /// theta [rad] and omega/frequency, NaN if one of them is no orbit; the kind before; the kind of the member. NaN for members

@@ -5,6 +5,7 @@ from __future__ import annotations
 import difflib
 import functools
 import inspect
+import sys
 from typing import TYPE_CHECKING, TypeVar, cast
 
 import numpy as np
@@ -70,8 +71,10 @@ def require_known(function: str, given: Iterable[str], names: Iterable[str]) -> 
         raise TypeError(f"{name!r} is no argument of {function}; {more}")
 
 
-def with_alpha(given: Mapping[str, object]) -> dict[str, Any]:
+def with_alpha(given: Mapping[str, object]) -> Mapping[str, Any]:
     """As the extension takes them: with alpha in place of gravity and length."""
+    if "gravity" not in given and "length" not in given:
+        return given
     both = ("gravity", "length")
     rest: dict[str, Any] = {name: value for name, value in given.items() if value is not None or name not in both}
     if rest.keys().isdisjoint(both):
@@ -84,7 +87,8 @@ def with_alpha(given: Mapping[str, object]) -> dict[str, Any]:
     return rest
 
 
-# Types that have no labels: the rest of them need not be looked at.
+# Modules whose types have labels; of the other types, those that are common.
+LABELLED = ("pandas", "xarray")
 PLAIN = frozenset({float, int, str, type(None), np.ndarray, np.float64, np.int64, list, tuple})
 
 
@@ -104,8 +108,10 @@ def public(*arguments: Argument, apart: tuple[str, ...] = ()) -> Callable[[Funct
 
         @functools.wraps(function)
         def call(*places: object, **given: Any) -> object:
-            if not given.keys() <= known:
+            if given and not given.keys() <= known:
                 require_known(name_of_function, given, names)
+            if sys.modules.keys().isdisjoint(LABELLED):  # as quick as one pendulum deserves
+                return function(*places, **given)
             if PLAIN.issuperset(map(type, places)) and PLAIN.issuperset(map(type, given.values())):
                 return function(*places, **given)
             by_place = dict(zip(names, places, strict=False))

@@ -215,7 +215,7 @@ def _parted(given: Mapping[str, Any]) -> tuple[dict[str, Any], dict[str, Any]]:
     """Settings, and parameters as the extension takes them."""
     pendulum = {each.name for each in PENDULUM}
     settings = {name: value for name, value in given.items() if name not in pendulum and name not in ("carry", "threads")}
-    return settings, with_alpha({name: value for name, value in given.items() if name in pendulum})
+    return settings, {**with_alpha({name: value for name, value in given.items() if name in pendulum})}
 
 
 def _require_used(settings: Mapping[str, Any]) -> None:

@@ -146,14 +146,26 @@ void Branches::halve(Cell& cell, const Settled& trial, Thread& thread) const noe
     proceed_with(cell, thread);
 }
 
+/// A branch may end exactly at the member, as that of rest does where the torque is alpha. So the search goes on to an interval
+/// behind the member that is narrow enough, if the parameter may have such values.
+void Branches::look_beyond(Cell& cell, const Settled& trial) const noexcept {
+    const double step = trial.value > cell.near.value ? 1.5 * tolerance_ : -1.5 * tolerance_;
+    cell.near = trial;
+    cell.far.value = trial.value + step;
+    const bool is_legal = cell.far.value != trial.value && !check(pendulum_at(cell.member, cell.far.value));
+    cell.stage = is_legal ? Cell::Stage::beyond : Cell::Stage::none;
+}
+
 /// Ends the search if the far end is off the branch also from the present near end; else goes on behind it.
 void Branches::check_far_end(Cell& cell, const Settled& trial, Thread& thread) const noexcept {
     constexpr int most_returns = 8;
     if (!is_on_branch(cell, trial, thread)) {
         cell.set_far(trial);
         cell.stage = Cell::Stage::found;
-    } else if (cell.far.value == cell.last.value || ++cell.returns > most_returns) {
+    } else if (cell.stage == Cell::Stage::beyond || ++cell.returns > most_returns) {
         cell.stage = Cell::Stage::none;
+    } else if (cell.far.value == cell.last.value) {
+        look_beyond(cell, trial);
     } else {
         cell.near = trial;
         cell.far = cell.behind = cell.last;

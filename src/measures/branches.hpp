@@ -23,6 +23,7 @@ struct Cell {
     enum class Stage {
         halving,
         checking,  ///< whether the far end is off the branch if it is approached from the present near end
+        beyond,    ///< whether the branch, which goes on up to the member, ends right there
         found,
         none,
     };
@@ -36,8 +37,8 @@ struct Cell {
 
     double middle() const noexcept { return 0.5 * near.value + 0.5 * far.value; }
     double error() const noexcept { return 0.5 * arithmetic::abs(far.value - near.value); }
-    double trial() const noexcept { return stage == Stage::checking ? far.value : middle(); }
-    bool is_active() const noexcept { return stage == Stage::halving || stage == Stage::checking; }
+    double trial() const noexcept { return stage == Stage::halving ? middle() : far.value; }
+    bool is_active() const noexcept { return stage != Stage::found && stage != Stage::none; }
     void set_far(const Settled& trial) noexcept;
     bool is_narrow(double tolerance) const noexcept {
         return error() <= tolerance || middle() == near.value || middle() == far.value;
@@ -74,6 +75,7 @@ class Branches {
     bool is_one_branch(Cell& cell, Thread& thread) const noexcept;
     void halve(Cell& cell, const Settled& trial, Thread& thread) const noexcept;
     void check_far_end(Cell& cell, const Settled& trial, Thread& thread) const noexcept;
+    void look_beyond(Cell& cell, const Settled& trial) const noexcept;
 
     const Ensemble& ensemble_;
     const Parameter& swept_;

@@ -71,6 +71,17 @@ TEST(Jump, FromRestOfAJunctionIsWhereTheFixedPointVanishes) {
     }
 }
 
+TEST(Jump, FromRestIsFoundWhereTheSweepHasAMemberExactlyThere) {
+    for (double beta : {0.2, 0.5, 1.0, 2.0})
+        for (double tolerance : {0.1, 1e-3, 1e-6, 1e-9}) {
+            const Sweep sweep{{.beta = {beta}, .torque = {0.5, 1, 1.5}}, "torque", 3, tolerance};
+            const auto jumps = sweep.jumps(Carry::up);
+            const std::size_t i = expect_jump(jumps, 1, tolerance, 1e-15);  // of the rounding of the interval's middle
+            EXPECT_EQ(jumps.before[i], rest);
+            EXPECT_EQ(jumps.after[i], turning);
+        }
+}
+
 TEST(Jump, ToRestOfAJunctionIsWhereTheCycleMeetsTheSaddle) {
     for (const Row& row : table("jumps.txt", "retrapping")) {
         const auto jumps = junction(1, row[0]).jumps(Carry::down);

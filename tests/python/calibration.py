@@ -106,8 +106,8 @@ The long-time measures beside the truths of `tests/data/truths.txt`. The truths 
 integrators: `tools/make_truths.py` says how each was found. All settings are the defaults. Made by
 `python tests/python/calibration.py`; held by `tests/python/test_calibration.py`.
 
-- covered: the truth is within the stated error. Where the stated error is 0, it is within the last rounding, 2⁻⁵² of the value.
-- median and largest ratio: of the distance from the truth to the stated error, where that is not 0.
+- covered: the truth, which has a bound of its own, is within the stated error. Where the stated error is 0, it is within the last rounding, 2⁻⁵² of the value.
+- median and largest ratio: of the distance from the truth to the stated error, where that is not 0. It may exceed 1 by the truth's own bound.
 - not given: there is a truth, but the number or its error is NaN. These are not counted as cases.
 - kinds: right and wrong where the kind is certain; unsettled ones are wrong there.
 

@@ -17,14 +17,19 @@ namespace {
 
 constexpr double larger_of(double a, double b) noexcept { return a > b ? a : b; }
 
-/// Whether a rotation number with its error may be a ratio with a small denominator. An orbit that is locked to the drive but
-/// settles slowly has such a number, and looks quasi-periodic. No quasi-periodic orbit with friction has one.
-bool may_be_locked(const Estimate& rotation) noexcept {
-    constexpr double largest_denominator = 64, least_distance = 1e-6;
+/// How far a rotation number is from the farthest ratio p/q with a denominator up to 64 that a motion seen for so many periods
+/// may still be locked to; 0 if there is none. A motion that is locked but settles slowly creeps by at most one turn of
+/// q times its angle, and looks quasi-periodic. So a ratio is ruled out only if q times the rotation has left it by more than
+/// two turns, and by far more than its error.
+double distance_of_lock(const Estimate& rotation, double periods) noexcept {
+    constexpr double largest_denominator = 64, least_distance = 1e-6, turns = 2;
     const double reach = larger_of(16 * rotation.error, least_distance);
-    for (double q = 1; q <= largest_denominator; ++q)
-        if (abs(q * rotation.value - round_even(q * rotation.value)) <= q * reach) return true;
-    return false;
+    double farthest = 0;
+    for (double q = 1; q <= largest_denominator; ++q) {
+        const double distance = abs(rotation.value - round_even(q * rotation.value) / q);
+        if (distance <= larger_of(reach, turns / (q * periods))) farthest = larger_of(farthest, larger_of(distance, 0x1p-1022));
+    }
+    return farthest;
 }
 
 /// The arguments of one call.
@@ -152,17 +157,19 @@ struct Pursuit {
         if (f.growth.value > 3 * f.growth.error) return Kind::chaotic;
         const double contraction = m.chunk.parameters.beta[i] * m.period[i];
         const bool is_neutral = abs(f.growth.value) <= f.growth.error;
-        const bool is_sharp = contraction == 0 || (f.growth.error < 0.2 * contraction && !may_be_locked(f.rotation));
+        const bool is_sharp =
+            contraction == 0 || (f.growth.error < 0.2 * contraction && distance_of_lock(f.rotation, windows.periods) == 0);
         const bool is_curve = is_neutral && is_sharp && f.rotation.error < converged && !f.search.has_orbit();
         return is_curve ? Kind::quasi_periodic : Kind::unsettled;
     }
 
-    /// Widens the errors of a motion that has not settled. What friction makes of it in the long run may still be far away: a
-    /// drift decays at the rate beta or beta/2, and the exponent ends between -beta/2 and 0.
+    /// Widens the errors of a motion that has not settled. What friction makes of it in the long run may still be far away: it
+    /// may be locked, a drift may decay at the rate beta or beta/2, and the exponent ends between -beta/2 and 0.
     void allow_for_drift(Follower& f, int i) const noexcept {
         const double contraction = m.chunk.parameters.beta[i] * m.period[i];
         if (!(contraction > 0)) return;
         f.rotation.error += 2 * abs(f.averages.drift(windows.periods)) / contraction;
+        f.rotation.error = larger_of(f.rotation.error, distance_of_lock(f.rotation, windows.periods));
         constexpr double relaxed = 16;  // contractions
         if (contraction * windows.periods > relaxed) return;
         const double high = larger_of(0, f.growth.value + f.growth.error);
@@ -181,11 +188,11 @@ struct Pursuit {
         return fate;
     }
 
-    /// Lets members leave whose means decide. The others go on with a window of twice the length, up to the budget. So do
-    /// chaotic motions with friction: chaos may be a long transient to a periodic orbit (Grebogi, Ott & Yorke, Physica D 7,
-    /// 1983).
+    /// Lets members leave whose means decide. The others go on with a window of twice the length, and the last one takes all
+    /// that is left of the budget. So do chaotic motions with friction: chaos may be a long transient to a periodic orbit
+    /// (Grebogi, Ott & Yorke, Physica D 7, 1983).
     void end_window() noexcept {
-        const double left = call.strobe.budget - n;
+        const double left = call.strobe.budget - n, next = 2 * windows.periods;
         const bool is_last = left < windows.periods;
         for (int i = 0; i < m.chunk.count;) {
             auto& f = followers[i];
@@ -203,7 +210,7 @@ struct Pursuit {
             ++i;
         }
         window_start = n;
-        windows = Windows(2 * windows.periods < left ? 2 * windows.periods : larger_of(left, 1));
+        windows = Windows(left < 2 * next ? larger_of(left, 1) : next);
     }
 
     /// Follows the members until all have left, or the call was stopped.

@@ -238,6 +238,17 @@ TEST(PeriodicOrbits, OfSlowDrivesAndStrongFrictionHaveTheExponentOfTheSlowNode) 
     }
 }
 
+TEST(PeriodicOrbits, ThatRestDoNotExistBeyondTheSaddleNode) {
+    // sin(theta) = torque/alpha has no solution; at the next double below it has the double root pi/2.
+    for (const double beta : {0.5, 3.0}) {
+        PeriodicOrbit orbit;
+        ASSERT_TRUE(refine({.beta = beta, .torque = 1 + 0x1p-52}, {1.5, 0}, {}, orbit).is_done());
+        EXPECT_FALSE(orbit.is_found) << beta;
+    }
+    const auto node = refined({.beta = 0.5, .torque = 1}, {1.5, 0}, {});
+    EXPECT_NEAR(node.point.theta, 0.5 * pi, node.error);
+}
+
 TEST(PeriodicOrbits, AreRefusedAsMeasuresAre) {
     PeriodicOrbit orbit;
     const auto name = [&](const Pendulum& p, State guess, const Strobe& strobe) {

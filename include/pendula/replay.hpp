@@ -52,9 +52,9 @@ struct ReplayRows {
 /// Computes the rows of every program. All programs have the same number of stages and the same number of rows.
 ///
 /// A program's bits do not depend on the other programs, the number of threads or the instruction set
-/// (tests/cpp/replay_test.cpp). Once its theta or omega is not finite, both are NaN in its rows, and no more steps are made.
-/// The whole call is refused if the number of stages, the length of an array, a force or a number of steps is not legal. Memory
-/// is 8 bytes for each program, besides the rows.
+/// (tests/cpp/replay_test.cpp, tests/python/test_replay.py). Once its theta or omega is not finite, both are NaN in its rows,
+/// and no more steps are made. The whole call is refused if the number of stages, the length of an array, a force or a number
+/// of steps is not legal. Memory is 8 bytes for each program, besides the rows.
 Outcome replay(std::span<const Program> programs, const ReplayRows& rows, const Control& control = {}) noexcept;
 
 }  // namespace pendula

@@ -208,7 +208,8 @@ Outcome replay(std::span<const Program> programs, const ReplayRows& rows, const 
     if (!order.numbers) return Refusal{.reason = Refusal::Reason::memory, .name = "programs"};
     double steps = 0;
     for (std::size_t i = 0; i < order.chunks(); ++i) steps += order.steps(i);
-    return for_each_piece(order.chunks(), steps, control,
+    constexpr double few = 1 << 12;  // take a millisecond, which is what waiting for another thread may take
+    return for_each_piece(order.chunks(), steps, {steps < few ? 1 : control.threads, control.proceed},
                           [&](Thread& thread, std::size_t chunk) { Replaying(order, rows, chunk).run(thread); });
 }
 

@@ -1,9 +1,45 @@
 ! The format has three columns only: the sinusoid comes on a line of its own.
-module pendulo
+program principal
   implicit none
   integer, parameter :: dp = kind(1.0d0)
   real(dp), parameter :: pi = 3.14159265358979323846_dp
-  real(dp) :: alpha
+  real(dp) :: alpha, fd, fc, fs, th0, w0, th, w, thM, tau, t, h, phi0
+  character(len=1) :: ut, uw
+  character(len=8) :: arg
+  character(len=40) :: formato
+  integer :: k, ios, digitos, j, i, n, tablas
+  digitos = 6
+  call get_command_argument(1, arg)
+  if (len_trim(arg) > 0) read (arg, *) digitos
+  write (formato, '("(3es", i0, ".", i0, ")")') digitos + 9, digitos - 1
+  tablas = 0
+  do
+    read (*, *, iostat=ios) fd, fc, fs, th0, ut, w0, uw, alpha
+    if (ios /= 0) exit
+    if (ut == 's') th0 = th0*pi/180
+    if (uw == 's') w0 = w0*pi/180
+    th0 = normaliza(th0)
+    call analisis(th0, w0, 1.0e-10_dp, thM, tau, k)
+    phi0 = fase(th0/thM, w0)
+    n = nint(fc/fd)
+    h = fc*tau/n
+    if (tablas > 0) write (*, '(/)')
+    tablas = tablas + 1
+    write (*, '(a)') 't angulo velocidad'//merge(' funcionSinusoidal', '                  ', k == -1)
+    th = th0
+    w = w0
+    do j = 0, int(fs/fc + 1.0e-9_dp)
+      t = j*fc*tau
+      if (k == -1) then
+        write (*, formato) t, normaliza(th), w, thM*sin(2*pi/tau*t + phi0)
+      else
+        write (*, formato) t, normaliza(th), w
+      end if
+      do i = 1, n
+        call rk4(th, w, h)
+      end do
+    end do
+  end do
 contains
   real(dp) function normaliza(x)
     real(dp), intent(in) :: x
@@ -67,46 +103,4 @@ contains
     th = th + (k(1) + 2*k(2) + 2*k(3) + k(4))/6
     w = w + (l(1) + 2*l(2) + 2*l(3) + l(4))/6
   end subroutine
-end module
-
-program principal
-  use pendulo
-  implicit none
-  real(dp) :: fd, fc, fs, th0, w0, th, w, thM, tau, t, h, phi0
-  character(len=1) :: ut, uw
-  character(len=8) :: arg
-  character(len=40) :: formato
-  integer :: k, ios, digitos, j, i, n, tablas
-  digitos = 6
-  call get_command_argument(1, arg)
-  if (len_trim(arg) > 0) read (arg, *) digitos
-  write (formato, '("(3es", i0, ".", i0, ")")') digitos + 9, digitos - 1
-  tablas = 0
-  do
-    read (*, *, iostat=ios) fd, fc, fs, th0, ut, w0, uw, alpha
-    if (ios /= 0) exit
-    if (ut == 's') th0 = th0*pi/180
-    if (uw == 's') w0 = w0*pi/180
-    th0 = normaliza(th0)
-    call analisis(th0, w0, 1.0e-10_dp, thM, tau, k)
-    phi0 = fase(th0/thM, w0)
-    n = nint(fc/fd)
-    h = fc*tau/n
-    if (tablas > 0) write (*, '(/)')
-    tablas = tablas + 1
-    write (*, '(a)') 't angulo velocidad'//merge(' funcionSinusoidal', '                  ', k == -1)
-    th = th0
-    w = w0
-    do j = 0, int(fs/fc + 1.0e-9_dp)
-      t = j*fc*tau
-      if (k == -1) then
-        write (*, formato) t, normaliza(th), w, thM*sin(2*pi/tau*t + phi0)
-      else
-        write (*, formato) t, normaliza(th), w
-      end if
-      do i = 1, n
-        call rk4(th, w, h)
-      end do
-    end do
-  end do
 end program

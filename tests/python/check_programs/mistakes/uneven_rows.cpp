@@ -1,4 +1,4 @@
-// A row where the remainder of t and t_cout is below a step: rounding prints some of them a step late.
+// A row where the remainder of t and t_cout is nearly 0: rounding makes it nearly t_cout in some, which are lost.
 #include <cmath>
 #include <cstdlib>
 #include <iomanip>
@@ -88,7 +88,7 @@ int main(int argc, char** argv) {
         cout << endl;
         double t = 0, theta = theta0, omega = omega0;
         while (t < tSimul + dt / 2) {
-            if (fmod(t, tCout) < dt) {
+            if (fmod(t, tCout) < dt / 2) {
                 cout << t << ' ' << normaliza(theta) << ' ' << omega;
                 if (k == -1) cout << ' ' << thetaM * sin(2 * pi / tau * t + phi0);
                 cout << endl;

@@ -41,7 +41,9 @@ def files(tmp_path, program):
     [
         ("check", [], "TABLE is missing", "falta TABLE"),
         ("check", ["table"], "--input is missing", "falta --input"),
-        ("check", ["a", "b", "--input", "c"], "one file is marked at a time", "se corrige un fichero cada vez"),
+        ("check", ["a", "--input", "b", "--json", "--json-lines"], "exclude each other", "se excluyen"),
+        ("check", ["a", "--input", "b", "--points", "-1"], "--points must be", "--points debe ser"),
+        ("check", ["--explain", "eulr"], "there is no finding 'eulr'; is it 'euler'?", "¿es 'euler'?"),
         ("check", ["--nonsense"], "unknown option '--nonsense'", "opción desconocida '--nonsense'"),
         ("check", ["-x"], "unknown option '-x'", "opción desconocida '-x'"),
         ("check", ["--input"], "option --input needs a value", "la opción --input necesita un valor"),
@@ -106,9 +108,13 @@ def test_the_version_is_that_of_the_program(name, program):
     assert run(name, "--version").stdout == program("--version").replace("pendula", f"pendula {name}")
 
 
-@pytest.mark.parametrize("arguments", [["--help"], ["--version"], "files", "json"])
+@pytest.mark.parametrize(
+    "arguments", [["--help"], ["--version"], ["--list"], ["--explain", "euler"], "files", "json", "class", "lines"]
+)
 def test_standard_output_is_never_silently_short(arguments, files):
-    arguments = {"files": files, "json": [*files, "--json"]}.get(str(arguments), arguments)
+    several = [files[0].with_name("*"), *files]
+    given = {"files": files, "json": [*files, "--json"], "class": several, "lines": [*several, "--json-lines"]}
+    arguments = given.get(str(arguments), arguments)
     with Path("/dev/full").open("w") as full:
         done = run("check", *arguments, stdout=full)
     assert (done.returncode, done.stderr) == (

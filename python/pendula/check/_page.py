@@ -86,8 +86,8 @@ def write_pages(folder: str, students: Sequence[Student], terms: Terms) -> None:
     """The class's page last: where it is, all are."""
     names = page_names([student.name for student in students])
     for student, name in zip(students, names, strict=True):
-        write_file(Path(folder) / name, student_page(student, terms).encode(errors="replace"))
-    write_file(Path(folder) / "index.html", class_page(students, names, terms).encode(errors="replace"))
+        write_file(Path(folder) / name, student_page(student, terms).encode(errors="backslashreplace"))
+    write_file(Path(folder) / "index.html", class_page(students, names, terms).encode(errors="backslashreplace"))
 
 
 def write_file(path: Path, data: bytes) -> None:

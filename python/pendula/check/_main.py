@@ -15,7 +15,7 @@ from pendula.check._seam import problems
 
 CHECK = Command(
     "pendula check",
-    "TABLE... --input PROBLEM [options] | --explain NAME | --list",
+    "TABLE... --input PROBLEM ... | --explain NAME | --list",
     (
         "Marks tables that students' programs have printed: compares them with the closed form and with Runge-Kutta, and tells "
         "what mistake explains them. Status: 0 all right, 1 some wrong, 2 some unreadable or bad usage, 3 not all written.",

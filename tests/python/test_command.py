@@ -4,6 +4,7 @@ import os
 import re
 import signal
 import subprocess
+import sys
 import time
 from pathlib import Path
 
@@ -175,6 +176,28 @@ def test_ctrl_c_ends_it_and_the_program(name, files, tmp_path):
     assert process.communicate(timeout=60) == (b"", b"")
     assert process.returncode == 130
     assert not Path(f"/proc/{child}").exists()
+
+
+INTERRUPTED_WHILE_IMPORTING = """
+import os, signal, sys
+
+class Interruption:
+    def find_spec(self, name, *_):
+        if name == "numpy":
+            os.kill(os.getpid(), signal.SIGINT)
+
+signal.signal(signal.SIGINT, signal.default_int_handler)
+sys.meta_path.insert(0, Interruption())
+import pendula_scripts
+pendula_scripts.{0}()
+"""
+
+
+@pytest.mark.parametrize("name", SCRIPTS)
+def test_ctrl_c_is_quiet_also_while_numpy_is_imported(name):
+    command = [sys.executable, "-c", INTERRUPTED_WHILE_IMPORTING.format(name)]
+    done = subprocess.run(command, capture_output=True, env=CLEAN, timeout=120)
+    assert (done.returncode, done.stdout, done.stderr) == (130, b"", b"")
 
 
 @pytest.mark.parametrize("entries", ["", ":", ".:", "::/nowhere"])

@@ -159,6 +159,16 @@ def test_autograders_get_one_document_or_a_line_each():
     assert json.loads(alone) == lines[1]
 
 
+def test_a_summary_is_not_written_over_a_student_s_file(group):
+    before = (group / "ana.txt").read_bytes()
+    done = check("group/berta.txt", "--summary", "group/ana.txt")  # as where the shell puts *.txt behind --summary
+    assert (done.returncode, done.stdout) == (2, "")
+    assert "'group/ana.txt' is there and is no summary" in done.stderr
+    assert (group / "ana.txt").read_bytes() == before
+    for _ in range(2):
+        assert check("group/ana.txt", "--summary", "class.csv").returncode == 0
+
+
 # Points.
 
 

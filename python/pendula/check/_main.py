@@ -9,7 +9,7 @@ from pendula._command import BAD_USAGE, DONE, NO_MATPLOTLIB, TEXTS, Command, Opt
 from pendula.check import _pages
 from pendula.check import _report as report
 from pendula.check._class import Task, files, mark_all
-from pendula.check._page import prepare, write_file, write_pages
+from pendula.check._page import prepare, require_summary, write_file, write_pages
 from pendula.check._scale import read_scale
 from pendula.check._seam import problems
 
@@ -109,6 +109,8 @@ def _mark(given: dict[str, str], words: list[str], lang: str) -> int:
     folder, summary = given.get("--report"), given.get("--summary")
     scale = read_scale(given.get("--scale"), given.get("--points"))
     terms = report.Terms(lang, scale, "--strict" in given, "--scale" in given or "--points" in given)
+    if summary is not None:
+        require_summary(summary, report.as_csv([], terms))
     entries, is_class = files(words, [given[name] for name in ("--input", "--scale", "--summary") if name in given])
     task = Task(problems(given["--input"], lang), terms.strict, folder is not None, lang)
     if folder is not None:

@@ -275,6 +275,10 @@ def test_a_report_may_be_written_again_but_never_over_what_is_foreign(tmp_path):
     assert (done.returncode, done.stdout) == (2, "")
     assert "holds 'ana.html', which this command has not made" in done.stderr
     assert foreign.read_text() == "mine"
+    elsewhere = (tmp_path / "report/index.html").rename(tmp_path / "index.html")
+    foreign.unlink()
+    foreign.symlink_to(elsewhere)
+    assert check("group/ana.txt", "--report", "report").returncode == 2
 
 
 def test_a_picture_does_not_depend_on_the_one_before():

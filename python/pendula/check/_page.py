@@ -72,7 +72,8 @@ def prepare(folder: str) -> None:
     path = Path(folder)
     try:
         path.mkdir(parents=True, exist_ok=True)
-        foreign = next((each.name for each in sorted(path.iterdir()) if not _begins(each, MADE_HERE.encode())), None)
+        entries = sorted(path.iterdir())
+        foreign = next((each.name for each in entries if each.is_symlink() or not _begins(each, MADE_HERE.encode())), None)
     except OSError as error:
         raise RefusedError(NOT_WRITTEN, TEXTS["not written"], folder, error.strerror) from error
     if foreign is not None:

@@ -85,7 +85,10 @@ def test_tables_that_are_missing_or_too_many_are_told(check, right, tmp_path):
     few, many = check(right, problem=both), check(right * 2)
     assert (few.returncode, many.returncode) == (1, 1)
     assert "There is no table for this problem." in few.stdout
-    assert "There are 2 tables for 1 problems." in many.stdout
+    assert "The table that begins in line 54 belongs to none of the problems." in many.stdout
+    report = json.loads(check(right * 2, "--json").stdout)
+    assert (report["verdict"], report["right"]) == ("wrong", 1)
+    assert [finding["name"] for finding in report["findings"]] == ["table_spare"]
 
 
 @pytest.mark.parametrize(
@@ -146,7 +149,9 @@ def test_paths_that_cannot_be_read_have_status_2(check, right, tmp_path):
     locked = tmp_path / "locked"
     locked.write_bytes(right)
     locked.chmod(0)
-    paths = [tmp_path, tmp_path / "nowhere", *([locked] if os.geteuid() else [])]
+    empty = tmp_path / "empty"
+    empty.mkdir()
+    paths = [empty, tmp_path / "nowhere", *([locked] if os.geteuid() else [])]
     for path in paths:
         assert check(path).returncode == 2
         assert check(right, problem=path).returncode == 2

@@ -119,7 +119,7 @@ def files(words: Sequence[str], others: Iterable[str]) -> tuple[list[tuple[str, 
     others: files that have another part in the command. A class has them often in its folder, and they are no student's.
     """
     if len(words) == 1 and not Path(words[0]).is_dir() and not _is_pattern(words[0]):
-        return [(_stem(words[0]), words[0])], False
+        return _named(words), False
     paths = dict.fromkeys(path for word in words for path in _expanded(word))
     left_out = {os.path.realpath(path) for path in others}
     return _named([path for path in paths if os.path.realpath(path) not in left_out]), True
@@ -142,16 +142,13 @@ def _expanded(word: str) -> list[str]:
     return [word]
 
 
-def _stem(path: str) -> str:
-    return Path(path).stem or path
-
-
 def _named(paths: Sequence[str]) -> list[tuple[str, str]]:
-    """Each file's stem; its name or its path where others have the same stem."""
-    stems, names = [_stem(path) for path in paths], [Path(path).name for path in paths]
+    """Each file's stem; its name or its path where others have the same stem. Names are UTF-8, whatever the locale says."""
+    texts = [os.fsencode(path).decode(errors="replace") for path in paths]
+    stems, names = [Path(text).stem or text for text in texts], [Path(text).name for text in texts]
     named = []
-    for path, stem, name in zip(paths, stems, names, strict=True):
-        named.append((stem if stems.count(stem) == 1 else name if names.count(name) == 1 else path, path))
+    for path, text, stem, name in zip(paths, texts, stems, names, strict=True):
+        named.append((stem if stems.count(stem) == 1 else name if names.count(name) == 1 else text, path))
     return named
 
 

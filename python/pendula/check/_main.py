@@ -9,13 +9,13 @@ from pendula._command import BAD_USAGE, DONE, NO_MATPLOTLIB, TEXTS, Command, Opt
 from pendula.check import _pages
 from pendula.check import _report as report
 from pendula.check._class import Task, files, mark_all
-from pendula.check._page import prepare, write_file, write_pages
+from pendula.check._page import prepare, require_summary, write_file, write_pages
 from pendula.check._scale import read_scale
 from pendula.check._seam import problems
 
 CHECK = Command(
     "pendula check",
-    "TABLE... --input PROBLEM [options] | --explain NAME | --list",
+    "TABLE... --input PROBLEM ... | --explain NAME | --list",
     (
         "Marks tables that students' programs have printed: compares them with the closed form and with Runge-Kutta, and tells "
         "what mistake explains them. Status: 0 all right, 1 some wrong, 2 some unreadable or bad usage, 3 not all written.",
@@ -109,6 +109,8 @@ def _mark(given: dict[str, str], words: list[str], lang: str) -> int:
     folder, summary = given.get("--report"), given.get("--summary")
     scale = read_scale(given.get("--scale"), given.get("--points"))
     terms = report.Terms(lang, scale, "--strict" in given, "--scale" in given or "--points" in given)
+    if summary is not None:
+        require_summary(summary, report.as_csv([], terms))
     entries, is_class = files(words, [given[name] for name in ("--input", "--scale", "--summary") if name in given])
     task = Task(problems(given["--input"], lang), terms.strict, folder is not None, lang)
     if folder is not None:

@@ -27,6 +27,10 @@ TEXTS: dict[str, Text] = {
         "{0!r} holds {1!r}, which this command has not made; give a folder that is empty or new",
         "{0!r} contiene {1!r}, que no es de esta orden; da una carpeta vacía o nueva",
     ),
+    "no summary": (
+        "{0!r} is there and is no summary; give the name of a new file",
+        "{0!r} ya existe y no es un resumen; da el nombre de un fichero nuevo",
+    ),
     "not written": ("{0!r} could not be written: {1}", "no se ha podido escribir {0!r}: {1}"),
     "class": ("The class", "La clase"),
     "student": ("student", "estudiante"),
@@ -68,26 +72,37 @@ def prepare(folder: str) -> None:
     path = Path(folder)
     try:
         path.mkdir(parents=True, exist_ok=True)
-        foreign = next((each.name for each in sorted(path.iterdir()) if not _is_ours(each)), None)
+        entries = sorted(path.iterdir())
+        foreign = next((each.name for each in entries if each.is_symlink() or not _begins(each, MADE_HERE.encode())), None)
     except OSError as error:
         raise RefusedError(NOT_WRITTEN, TEXTS["not written"], folder, error.strerror) from error
     if foreign is not None:
         raise RefusedError(BAD_USAGE, TEXTS["foreign"], folder, foreign)
 
 
-def _is_ours(path: Path) -> bool:
-    if path.is_symlink() or not path.is_file():
+def require_summary(path: str, head: bytes) -> None:
+    """Refuses to write over a file that is not what was written before: the name may be that of a student's file."""
+    try:
+        foreign = Path(path).is_file() and Path(path).stat().st_size > 0 and not _begins(Path(path), head)
+    except OSError as error:
+        raise RefusedError(NOT_WRITTEN, TEXTS["not written"], path, error.strerror) from error
+    if foreign:
+        raise RefusedError(BAD_USAGE, TEXTS["no summary"], path)
+
+
+def _begins(path: Path, head: bytes) -> bool:
+    if not path.is_file():
         return False
     with path.open("rb") as file:
-        return file.read(len(MADE_HERE)) == MADE_HERE.encode()
+        return file.read(len(head)) == head
 
 
 def write_pages(folder: str, students: Sequence[Student], terms: Terms) -> None:
     """The class's page last: where it is, all are."""
     names = page_names([student.name for student in students])
     for student, name in zip(students, names, strict=True):
-        write_file(Path(folder) / name, student_page(student, terms).encode(errors="replace"))
-    write_file(Path(folder) / "index.html", class_page(students, names, terms).encode(errors="replace"))
+        write_file(Path(folder) / name, student_page(student, terms).encode(errors="backslashreplace"))
+    write_file(Path(folder) / "index.html", class_page(students, names, terms).encode(errors="backslashreplace"))
 
 
 def write_file(path: Path, data: bytes) -> None:

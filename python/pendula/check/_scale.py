@@ -21,6 +21,7 @@ TEXTS: dict[str, Text] = {
     "not positive": ("{0} must be a positive number, got {1!r}", "{0} debe ser un número positivo, y es {1!r}"),
     "not toml": ("{0!r} is no scale: {1}", "{0!r} no es una escala: {1}"),
     "no number": ("{0!r}: {1} must be a number, 0 or larger", "{0!r}: {1} debe ser un número, 0 o mayor"),
+    "no table": ("{0!r}: findings must be a table", "{0!r}: findings debe ser una tabla"),
     "unknown": ("{0!r}: there is no {1!r} in a scale; it has {2}", "{0!r}: en una escala no hay {1!r}; tiene {2}"),
 }
 
@@ -68,22 +69,19 @@ def _read(path: str) -> dict[str, Any]:
             given = tomllib.load(file)
         except ValueError as error:  # not TOML, or not UTF-8
             raise RefusedError(BAD_USAGE, TEXTS["not toml"], path, error) from None
-    for name, value in given.items():
+    costs = given.get("findings", {})
+    if not isinstance(costs, dict):
+        raise RefusedError(BAD_USAGE, TEXTS["no table"], path)
+    for name in costs:
+        page(name, LANGUAGES[0])  # refuses a name that no finding has
+    for name in given:
         if name not in Scale._fields:
             raise RefusedError(BAD_USAGE, TEXTS["unknown"], path, name, ", ".join(Scale._fields))
-        if name == "findings" and isinstance(value, dict):
-            for each in value:
-                page(each, LANGUAGES[0])  # refuses a name that no finding has
-            _require_numbers(path, value)
-        else:
-            _require_numbers(path, {name: value})
-    return given
-
-
-def _require_numbers(path: str, values: Mapping[str, object]) -> None:
-    for name, value in values.items():
-        if isinstance(value, bool) or not isinstance(value, int | float) or not 0 <= value < math.inf:
+    for name, value in ({**given, **costs}).items():
+        is_number = isinstance(value, int | float) and not isinstance(value, bool)
+        if name != "findings" and not (is_number and 0 <= value < math.inf):
             raise RefusedError(BAD_USAGE, TEXTS["no number"], path, name)
+    return given
 
 
 def _number(text: str) -> float:

@@ -108,7 +108,10 @@ def _unfold(run: Run) -> None:
     sizes = [line.size for line in run.rows]
     if len(sizes) < 2:
         return
-    for width in sorted({len(header) for header in run.headers if len(header) >= 3}):
+    widths = {len(header) for header in run.headers if len(header) >= 3}
+    if Counter(sizes).most_common(1)[0][0] in widths:
+        return
+    for width in sorted(widths):
         ends = _ends_by_width(sizes, width)
         if ends:
             _join(run, [0, *ends])
@@ -187,19 +190,24 @@ def _pair_commas(run: Run) -> None:
         if line.size == most:
             digits = (len(whole.lstrip("+-")) for whole in line.numbers.split()[::2])
             limits = list(map(max, limits, digits))
-    lost, tried = 0, 0
-    for place, line in enumerate(run.rows):
+    lost, tried, rows = 0, 0, []
+    for line in run.rows:
         fields = line.numbers.split()
         found = []
         if line.kind.is_bare and width <= line.size <= most:
             tried += line.size < most
-            if line.size == most or tried <= MOST_PAIRINGS:
+            if line.size == most and all(field[0].isdigit() for field in fields[1::2]):
+                found = [list(map(".".join, zip(fields[::2], fields[1::2], strict=True)))]
+            elif tried <= MOST_PAIRINGS:
                 found = list(islice(_pairings(fields, limits), 2))
         if len(found) == 1:
-            run.rows[place] = line._replace(numbers=" ".join(found[0]), size=width)
+            rows.append(line._replace(numbers=" ".join(found[0]), size=width))
         else:
+            rows.append(line._replace(numbers="nan nan", size=2))
             lost += 1
     run.commas = bare[0].place, lost
+    if 2 * lost < len(rows):
+        run.rows = rows
 
 
 def _pairings(fields: Sequence[str], limits: Sequence[int]) -> Iterator[list[str]]:

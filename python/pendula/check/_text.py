@@ -96,8 +96,14 @@ CONTROLS = re.compile(rb"[\0-\x08\x0e-\x19\x1c-\x1f]")
 CONTROLS_READ = re.compile(r"[\0-\x08\x0e-\x19\x1c-\x1f]")
 
 
+def _marked(data: bytes) -> str:
+    return next((name for mark, name in MARKS if data.startswith(mark)), "")
+
+
 def unmarked_utf16(data: bytes) -> str:
     """The encoding of UTF-16 without its mark, in which every other byte of digits is 0; "" for another one."""
+    if _marked(data):
+        return ""
     sample = data[:SAMPLE]
     for encoding, first in (("utf-16-le", 1), ("utf-16-be", 0)):
         others = sample[1 - first :: 2]
@@ -110,8 +116,7 @@ def decoded(data: bytes, path: str = "") -> str:
     """UTF-8, UTF-16 with its mark or without, or else Latin-1, in which only letters of a header can be wrong."""
     if not data.strip():
         raise UnreadableError("empty", path)
-    marked = next((name for mark, name in MARKS if data.startswith(mark)), "")
-    encoding = marked or unmarked_utf16(data)
+    encoding = _marked(data) or unmarked_utf16(data)
     if not encoding and CONTROLS.search(data):
         raise UnreadableError("binary", path)
     if encoding.startswith(("utf-16", "utf-32")):
@@ -175,7 +180,8 @@ NOT_FINITE = (
     r"[+-]?+(?:(?:nan(?:\([a-z0-9]{0,9}\))?+|inf(?:inity)?+|none|null)(?!\w)|1[.,]#[a-z]++[0-9]*+|\*{2,}+)"
     r"|#[\w¡/]{1,9}+[!?]"
 )
-TOKEN = re.compile(rf"((?=[0-9.+\-*#ni])(?<![\w.^+\-])(?:{NUMBER}|{NOT_FINITE}))(?![0-9_]|\.\S)", re.IGNORECASE)
+TOKEN = re.compile(rf"((?=[0-9.+\-*#ni])(?<![\w.^+\-])(?:{NOT_FINITE}|{NUMBER}))(?![0-9_]|\.\S)", re.IGNORECASE)
+USUAL = re.compile(r"[+-]?+[0-9.]++(?: [+-]?+[0-9.]++)*+")
 LETTERLESS = re.compile(r"(?<=[0-9.])(?=[+-][0-9]{3}$)")
 TWO_POINTS = re.compile(r"\.[0-9]++\.")
 DECIMAL_COMMA = re.compile(r"(?<=[0-9]),(?=[0-9])")
@@ -274,7 +280,10 @@ class Lines:
             if len(self._kinds) >= MOST_KINDS:
                 raise UnreadableError("many kinds", MOST_KINDS)
             kind = self._kinds[shape] = _kind(parts[::2])
-        return Line(place, " ".join(map(_spelled, parts[1::2])), len(parts) // 2, kind)
+        numbers = " ".join(parts[1::2])
+        if not USUAL.fullmatch(numbers):
+            numbers = " ".join(map(_spelled, parts[1::2]))
+        return Line(place, numbers, len(parts) // 2, kind)
 
 
 def _rows_of_all(text: str) -> Iterator[tuple[int, str]]:

@@ -79,7 +79,10 @@ LAYOUTS = {
     "Python's lists": (each_row("[{0}, {1}, {2}, {3}]\n"), ("brackets",)),
     "a list of lists": ("[" + each_row("[{0}, {1}, {2}, {3}], ")[:-2] + "]", ("brackets",)),
     "tuples": (each_row("({0}, {1}, {2}, {3})\n"), ("brackets",)),
-    "a NumPy array": ("[[0. 1.5708 0. 1.5708]\n" + each_row(" [{0} {1} {2} {3}]\n", PLAIN.split("\n", 1)[1]) + "]", ("brackets",)),
+    "a NumPy array": (
+        "[[0. 1.5708 0. 1.5708]\n" + each_row(" [{0} {1} {2} {3}]\n", PLAIN.split("\n", 1)[1]) + "]",
+        ("brackets",),
+    ),
     "a folded NumPy array": ("[" + each_row("[{0} {1} {2}\n {3}]\n "), ("brackets", "folded_records")),
     "NumPy's scalars": (each_row("(np.float64({0}), np.float64({1}), np.float64({2}), np.float64({3}))\n"), ("brackets",)),
     "Fortran's exponents": ("0.D0 15.708D-1 0.D0 1.5708D+00\n" + PLAIN.split("\n", 1)[1], ()),
@@ -233,7 +236,10 @@ def test_the_reader_notes_what_it_sees(text, note):
 def test_ambiguous_commas_are_paired_only_where_there_is_one_way():
     text = "0,148326,1,5598,-0,148324,1,55841\n0,296652,1,5268,-0,296595,1,52145\n0,5,2,1,3,4,1\n0,593304,1,39497,-0,591471,1,3765\n"
     (table,) = tables(text)
-    assert np.array_equal(table.values[[0, 1, 3], :3], [[0.148326, 1.5598, -0.148324], [0.296652, 1.5268, -0.296595], [0.593304, 1.39497, -0.591471]])
+    assert np.array_equal(
+        table.values[[0, 1, 3], :3],
+        [[0.148326, 1.5598, -0.148324], [0.296652, 1.5268, -0.296595], [0.593304, 1.39497, -0.591471]],
+    )
     assert table.ragged == (3,)
     assert ("comma_ambiguous", {"line": 1, "count": 1}) in table.notes
 
@@ -298,7 +304,9 @@ def test_columns_beside_the_four_are_never_the_sinusoid():
 
 def test_without_a_header_the_possible_placements_are_offered():
     (table,) = tables(table_of(5))
-    found = [tuple(places.get(role) for role in ("t", "theta", "omega", "sine")) for _, places in placements(table, oscillates=True)]
+    found = [
+        tuple(places.get(role) for role in ("t", "theta", "omega", "sine")) for _, places in placements(table, oscillates=True)
+    ]
     assert found[0] == (0, 1, 2, 3)
     assert {(1, 2, 3, 4), (0, 1, 2, 4), (0, 3, 4, None), (0, 2, 4, None), (0, 2, 1, 3)} <= set(found)
     for width, oscillates in itertools.product(range(2, 64), (True, False)):
@@ -370,7 +378,9 @@ def test_units_are_never_less_than_what_was_printed_nor_forgive_more_than_one_di
     assert np.all(off <= 0.5 * column + 2e-16 * np.abs(values))
     if style[-1:] in ("g", "e") and table.digits[1] == int(style[1:-1]) + (style[-1] == "e"):
         first = np.floor(np.log10(np.abs(values), where=off_zero, out=np.zeros(len(values))))
-        assert np.all((column <= 11 * 10.0 ** (first + 1 - table.digits[1]))[off_zero])
+        decimals = [len(number.partition("e")[0].partition(".")[2]) for number in map(f"{{:{style}}}".format, values)]
+        fixed = 10.0 ** -max(decimals) if style[-1] == "g" else 0
+        assert np.all((column <= np.maximum(11 * 10.0 ** (first + 1 - table.digits[1]), 1.001 * fixed))[off_zero])
     if style[-1:] == "f":
         assert np.all(column <= 1.001 * 10.0 ** -int(style[1:-1]))
 
@@ -433,7 +443,9 @@ HOSTILE = {
     "commas": lambda: b"," * 8_000_000,
     "commas in lines": lambda: (b"," * 8_000 + b"\n") * 1000,
     "decimal commas that separate": lambda: b"".join(b"%d,5,1,25,-0,5,1,25\n" % row for row in range(119_990)),
-    "such commas, to be paired": lambda: b"0,5,1,25,-0,5,1,25\n" * 100 + b"".join(b"%d,1,25,-0,5,1\n" % row for row in range(119_000)),
+    "such commas, to be paired": lambda: (
+        b"0,5,1,25,-0,5,1,25\n" * 100 + b"".join(b"%d,1,25,-0,5,1\n" % row for row in range(119_000))
+    ),
     "quotes": lambda: b'"1,2"' * 1_600_000,
     "NULs": lambda: b"\0" * 16 * MIB,
     "line ends": lambda: b"\r\n" * 8_000_000,

@@ -144,6 +144,8 @@ class Kind(NamedTuple):
     """Between the numbers; empty for white space."""
     is_bare: bool = False
     """Whether a comma without a space stands between numbers, so that it could be a decimal one."""
+    is_all_bare: bool = False
+    """Whether nothing else stands between them."""
     has_brackets: bool = False
     fields: int = 0
     """Of numbers and words."""
@@ -258,19 +260,19 @@ class Lines:
         for spelling, expression, plain in WRITINGS:
             if spelling in text:
                 text = expression.sub(plain, text)
-        if "," in text and (decimal := DECIMAL_COMMA.sub(".", text)) != text:
-            return self._with_commas(place, text, decimal)
-        return self._split(place, text)
+        return self._with_commas(place, text) if "," in text else self._split(place, text)
 
-    def _with_commas(self, place: int, text: str, decimal: str) -> Line:
+    def _with_commas(self, place: int, text: str) -> Line:
         """Commas between digits are decimal ones where something else separates the numbers."""
-        if TWO_POINTS.search(decimal):
-            return self._split(place, text)
-        line = self._split(place, decimal)
-        if line.kind.name == ROW and not line.kind.is_bare:
+        line = self._split(place, text)
+        if line.kind.is_all_bare and line.size > 2:
             return line
-        other = self._split(place, text)
-        return other if other.kind.name == ROW or line.kind.name != WORDED else line
+        decimal = DECIMAL_COMMA.sub(".", text)
+        if decimal == text or TWO_POINTS.search(decimal):
+            return line
+        other = self._split(place, decimal)
+        is_row = other.kind.name == ROW and not other.kind.is_bare
+        return other if is_row or (line.kind.name != ROW and other.kind.name == WORDED) else line
 
     def _split(self, place: int, text: str) -> Line:
         parts = TOKEN.split(text)
@@ -340,12 +342,14 @@ def _kind(parts: list[str]) -> Kind:
     between = [BETWEEN.fullmatch(part) for part in parts[1:-1]]
     is_clean = all(match and match[0] for match in between) and AFTER.fullmatch(parts[-1])
     separators = {match[1] for match in between if match} - {":", ""}
+    bare = [part.strip("\"'") == "," for part in parts[1:-1]]
     found = Kind(
         ROW,
-        "".join(sorted(separators)),
-        any(part.strip("\"'") == "," for part in parts[1:-1]),
-        any(letter in part for part in parts for letter in "[](){}"),
-        len(re.split(r"[\s,;|&]+", "0".join(parts).strip())),
+        separator="".join(sorted(separators)),
+        is_bare=any(bare),
+        is_all_bare=bool(bare) and all(bare),
+        has_brackets=any(letter in part for part in parts for letter in "[](){}"),
+        fields=len(re.split(r"[\s,;|&]+", "0".join(parts).strip())),
     )
     if is_clean and BEFORE.fullmatch(parts[0]):
         return found

@@ -411,7 +411,7 @@ def test_accents_survive_their_encoding(encoding, tmp_path):
         ("\N{SNOWMAN}".encode() * 1000, "no table"),
         (b"1 " * 65, "wide"),
         (b"1 " * 5000, "long line"),
-        (b"1 2\n" * 120_001, "many lines"),
+        (b"1 2\n" * 110_001, "many lines"),
         (b"t angulo velocidad\n0 1 2\n" * 2001, "many tables"),
         (b"".join(b"%d a%xz b\n" % (row, row) for row in range(2001)), "many kinds"),
     ],
@@ -430,21 +430,21 @@ def test_every_reason_has_texts_with_the_same_places():
 MIB = 1 << 20
 HOSTILE = {
     "one line": lambda: b"0.123456 " * (10 * MIB // 9),
-    "rows": lambda: b"".join(b"%d 1.5 2.5 3.5\n" % row for row in range(119_990)),
-    "long rows": lambda: b"".join(b"%.9e %.9e %.9e %.9e\n" % (row, row + 0.1, row + 0.2, row + 0.3) for row in range(119_990)),
+    "rows": lambda: b"".join(b"%d 1.5 2.5 3.5\n" % row for row in range(109_990)),
+    "long rows": lambda: b"".join(b"%.9e %.9e %.9e %.9e\n" % (row, row + 0.1, row + 0.2, row + 0.3) for row in range(109_990)),
     "a million rows": lambda: b"0 1 2\n" * 1_000_000,
     "wide rows": lambda: (b"1 " * 64 + b"\n") * 15_600,
     "a million tables": lambda: b"".join(b"%d 1 2\n" % (2_000_000 - row) for row in range(1_000_000)),
     "tables of two rows": lambda: b"0 1 2\n1 1 2\n" * 59_000,
-    "tables of a row": lambda: b"".join(b"%d 1 2\n" % (200_000 - row) for row in range(119_990)),
+    "tables of a row": lambda: b"".join(b"%d 1 2\n" % (200_000 - row) for row in range(109_990)),
     "brackets": lambda: b"[" * 8_000_000,
     "brackets in lines": lambda: (b"[" * 8_000 + b"1 2 3" + b"]" * 100 + b"\n") * 1000,
     "lists": lambda: b"[1, 2, 3], " * 700_000,
     "commas": lambda: b"," * 8_000_000,
     "commas in lines": lambda: (b"," * 8_000 + b"\n") * 1000,
-    "decimal commas that separate": lambda: b"".join(b"%d,5,1,25,-0,5,1,25\n" % row for row in range(119_990)),
+    "decimal commas that separate": lambda: b"".join(b"%d,5,1,25,-0,5,1,25\n" % row for row in range(109_990)),
     "such commas, to be paired": lambda: (
-        b"0,5,1,25,-0,5,1,25\n" * 100 + b"".join(b"%d,1,25,-0,5,1\n" % row for row in range(119_000))
+        b"0,5,1,25,-0,5,1,25\n" * 100 + b"".join(b"%d,1,25,-0,5,1\n" % row for row in range(109_000))
     ),
     "quotes": lambda: b'"1,2"' * 1_600_000,
     "NULs": lambda: b"\0" * 16 * MIB,
@@ -456,11 +456,11 @@ HOSTILE = {
     "signs": lambda: (b"+-" * 4_000 + b"\n") * 1000,
     "escapes": lambda: (b"\x1b[" * 4_000 + b"\n") * 1000,
     "calls": lambda: (b"float(" * 1_300 + b"\n") * 1000,
-    "words": lambda: b"".join(b"%x abc\n" % row for row in range(119_000)),
+    "words": lambda: b"".join(b"%x abc\n" % row for row in range(109_000)),
     "headers": lambda: (b"t angulo velocidad " * 20 + b"\n") * 20_000,
-    "headers of other words": lambda: b"".join(b"t angulo velocidad angular (rad) %x\n" % row for row in range(119_000)),
+    "headers of other words": lambda: b"".join(b"t angulo velocidad angular (rad) %x\n" % row for row in range(109_000)),
     "digits": lambda: (b"9" * 8_000 + b"\n") * 1000,
-    "letters outside the basic plane": lambda: ("0 1 2 3 \U0001f600\n" * 119_000).encode(),
+    "letters outside the basic plane": lambda: ("0 1 2 3 \U0001f600\n" * 109_000).encode(),
     "too large": lambda: b"0 1 2\n" * (16 * MIB // 6),
 }
 MEASURED = """

@@ -101,7 +101,7 @@ def time_of(line: Line, place: int) -> float:
 
 LONGEST_FOLD = 4  # lines
 FEWEST_FOLDS = 3
-LOOKS = 20  # at each line, on the average
+LOOKS = 10  # at each line, on the average
 
 
 def _unfold(run: Run) -> None:

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 # Bounds that no coursework comes near to. They keep any file within two seconds and 200 MB.
 MOST_BYTES = 1 << 23
-MOST_LINES = 120_000
+MOST_LINES = 110_000
 MOST_LETTERS = 1 << 13  # of a line
 MOST_KINDS = 2_000  # of lines, numbers aside
 MOST_NUMBERS = 1_000_000
@@ -144,8 +144,6 @@ class Kind(NamedTuple):
     """Between the numbers; empty for white space."""
     is_bare: bool = False
     """Whether a comma without a space stands between numbers, so that it could be a decimal one."""
-    is_all_bare: bool = False
-    """Whether nothing else stands between them."""
     has_brackets: bool = False
     fields: int = 0
     """Of numbers and words."""
@@ -185,6 +183,7 @@ NOT_FINITE = (
 TOKEN = re.compile(rf"((?=[0-9.+\-*#ni])(?<![\w.^+\-])(?:{NOT_FINITE}|{NUMBER}))(?![0-9_]|\.\S)", re.IGNORECASE)
 USUAL = re.compile(r"[+-]?+[0-9.]++(?: [+-]?+[0-9.]++)*+")
 LETTERLESS = re.compile(r"(?<=[0-9.])(?=[+-][0-9]{3}$)")
+OTHER_SEPARATORS = re.compile(r"[\s;|&]")
 TWO_POINTS = re.compile(r"\.[0-9]++\.")
 DECIMAL_COMMA = re.compile(r"(?<=[0-9]),(?=[0-9])")
 
@@ -264,15 +263,14 @@ class Lines:
 
     def _with_commas(self, place: int, text: str) -> Line:
         """Commas between digits are decimal ones where something else separates the numbers."""
-        line = self._split(place, text)
-        if line.kind.is_all_bare and line.size > 2:
-            return line
-        decimal = DECIMAL_COMMA.sub(".", text)
+        decimal = DECIMAL_COMMA.sub(".", text) if OTHER_SEPARATORS.search(text.strip()) or text.count(",") == 1 else text
         if decimal == text or TWO_POINTS.search(decimal):
+            return self._split(place, text)
+        line = self._split(place, decimal)
+        if line.kind.name == ROW and not line.kind.is_bare:
             return line
-        other = self._split(place, decimal)
-        is_row = other.kind.name == ROW and not other.kind.is_bare
-        return other if is_row or (line.kind.name != ROW and other.kind.name == WORDED) else line
+        other = self._split(place, text)
+        return line if other.kind.name != ROW and line.kind.name == WORDED else other
 
     def _split(self, place: int, text: str) -> Line:
         parts = TOKEN.split(text)
@@ -342,12 +340,10 @@ def _kind(parts: list[str]) -> Kind:
     between = [BETWEEN.fullmatch(part) for part in parts[1:-1]]
     is_clean = all(match and match[0] for match in between) and AFTER.fullmatch(parts[-1])
     separators = {match[1] for match in between if match} - {":", ""}
-    bare = [part.strip("\"'") == "," for part in parts[1:-1]]
     found = Kind(
         ROW,
         separator="".join(sorted(separators)),
-        is_bare=any(bare),
-        is_all_bare=bool(bare) and all(bare),
+        is_bare=any(part.strip("\"'") == "," for part in parts[1:-1]),
         has_brackets=any(letter in part for part in parts for letter in "[](){}"),
         fields=len(re.split(r"[\s,;|&]+", "0".join(parts).strip())),
     )

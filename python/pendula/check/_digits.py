@@ -58,7 +58,6 @@ def _digits(numbers: Sequence[str]) -> tuple[Integers, Integers]:
 
 # Zeros at the end may be left out, in a tenth of all numbers; so a way to print them that most do not show is none.
 MOST = 0.5
-FEW = 3  # rows, of which a single longer number is no sign
 MANY = 20  # rows that show whether zeros are left out
 
 
@@ -110,8 +109,8 @@ def _is_even(values: Floats, decimals: Integers) -> bool:
 
 
 def _longest(counts: Integers) -> int:
-    """The largest; but not one that stands alone."""
-    if not counts.size:
-        return 0
-    first, second = int(counts.max()), int(np.partition(counts, -2)[-2]) if counts.size > FEW else 0
-    return second if counts.size > FEW and first > second + 1 else first
+    """The largest; among many not one that stands alone, which was printed in another way."""
+    if counts.size < MANY:
+        return int(counts.max(initial=0))
+    second, first = map(int, np.partition(counts, -2)[-2:])
+    return second if first > second + 1 else first

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, NamedTuple, TypeAlias
 import numpy as np
 
 from pendula.check._digits import Floats, Integers, cells_of, units_of
-from pendula.check._records import JUDGED_BY, Run, runs_of, starts_of, time_of
+from pendula.check._records import Run, runs_of, starts_of, time_of
 from pendula.check._text import MOST_TABLES, PLAIN, ROW, UNREADABLE, UnreadableError, contents, decoded, opened, unmarked_utf16
 from pendula.check._words import ROLES, STATE, WORDS, fitting, role_of, roles_of
 
@@ -89,6 +89,7 @@ def tables(text: str) -> list[Table]:
 
 # The tables of a run of lines.
 
+JUDGED_BY = 200  # rows
 PLACE = attrgetter("place")
 SHORT = 3  # rows; fewer may be numbers that a program prints before its table
 

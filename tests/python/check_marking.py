@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from pendula import _command
-from pendula.check import Asked, Judgement, asked, decoded, judge, tables
+from pendula.check import Judgement, Problem, decoded, judge, problems, tables
 from pendula.check._table import Column, columns_at, placements
 from processes import finished
 
@@ -40,8 +40,11 @@ def solved(text: str, *arguments: str) -> _command.Solved:
 
 
 @functools.lru_cache(maxsize=64)
-def problem(text: str) -> Asked:
-    return asked(solved(text))
+def problem(text: str) -> Problem:
+    with tempfile.TemporaryFile() as file:
+        file.write(text.encode())
+        file.seek(0)
+        return problems(file)[0]
 
 
 def told(text: str, data: bytes) -> Told:

@@ -2,7 +2,7 @@
 
 from pendula.check._finding import Finding, Where
 from pendula.check._judge import Deviation, Judgement, judge
-from pendula.check._program import Problem, Start
+from pendula.check._program import Problem, Start, problems
 from pendula.check._table import Table, UnreadableError, decoded, read_file, tables
 
 __all__ = [
@@ -16,6 +16,7 @@ __all__ = [
     "Where",
     "decoded",
     "judge",
+    "problems",
     "read_file",
     "tables",
 ]

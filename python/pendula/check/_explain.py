@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from itertools import islice
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -45,6 +46,9 @@ class Reading(NamedTuple):
 
     start: Start
     mistakes: tuple[Mistake, ...] = ()
+    pi: float = math.pi
+    same: tuple[Mistake, ...] = ()
+    """Others with which it would take the same."""
 
 
 class Candidate(NamedTuple):
@@ -79,14 +83,21 @@ def wrap(theta: Floats) -> Floats:
     return wrapped
 
 
-def readings(problem: Problem, mistakes: Sequence[Mistake]) -> Iterator[Reading]:
+def readings(problem: Problem, mistakes: Sequence[Mistake]) -> list[Reading]:
     """The pendulums that a program may take for the problem's with one of these mistakes, each once."""
-    seen = {taken(RIGHT, problem)}
+    right = taken(RIGHT, problem)
+    found: dict[tuple[Start, float], Reading] = {}
     for mistake in mistakes:
-        start = taken(mistake.of(RIGHT), problem)
-        if start not in seen and all(map(np.isfinite, start)) and start.alpha > 0:
-            seen.add(start)
-            yield Reading(start, (mistake,))
+        program = mistake.of(RIGHT)
+        start = taken(program, problem)
+        key = (start, program.pi)
+        if key == (right, math.pi) or not all(map(np.isfinite, start)) or not start.alpha > 0:
+            continue
+        if key in found:
+            found[key] = found[key]._replace(same=(*found[key].same, mistake))
+        else:
+            found[key] = Reading(start, (mistake,), program.pi)
+    return list(found.values())
 
 
 # How far a table may be from a prediction.
@@ -280,9 +291,11 @@ def _starts_there(start: Start, timing: Timing, columns: Columns, left: int) -> 
 def _timings(problem: Problem, reading: Reading, right: Reading, t: Column, places: Floats) -> list[Timing]:
     """What explains the times of a program that took the pendulum for another, before or after it had found its period."""
     try:
-        found = list(timings(problem, reading.start, t, places))
+        found = list(timings(problem, reading.start, t, places, reading.pi))
     except ValueError:  # with this mistake there is no legal pendulum
         return []
+    if reading.start == right.start and reading is not right:  # seen by its period alone
+        return [timing for timing in found if not timing.changes]
     if reading is not right:
         found += [
             timing._replace(start=right.start)
@@ -299,11 +312,13 @@ def _programs(reading: Reading, timing: Timing, most: int) -> Iterator[Candidate
     yield Candidate(base, reading, timing, reading.mistakes)
     if most >= 1:
         for mistake in single:
+            if "pull" in mistake.changes and reading.mistakes:
+                continue  # it stands for the α that was read
             yield Candidate(mistake.of(base), reading, timing, (*reading.mistakes, mistake))
     if most >= 2:
         for i, one in enumerate(single):
             for other in single[i + 1 :]:
-                if one.group != other.group:
+                if one.group != other.group and not ("pull" in one.changes and reading.mistakes):
                     yield Candidate(other.of(one.of(base)), reading, timing, (*reading.mistakes, one, other))
 
 

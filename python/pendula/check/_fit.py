@@ -8,9 +8,9 @@ import numpy as np
 
 from pendula.check._explain import AS_ASKED, Candidate, Explanation, Reading, fits, predictions, wrap
 from pendula.check._mistakes import STEPPERS, Mistake
-from pendula.check._program import RIGHT, Program, Start, replay, taken
+from pendula.check._program import RIGHT, Clock, Program, Start, analysis, replay, taken
 
-from pendula.check._timing import timings
+from pendula.check._timing import off, timings
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
@@ -19,6 +19,8 @@ if TYPE_CHECKING:
     from pendula.check._table import Columns
     from pendula.check._timing import Timing
 
+LEAST = 1e-4  # relative: a factor of α nearer to 1 is no mistake that a person makes
+LARGEST_STRETCH = 1e-3  # relative: the times show a period that is farther off
 ROUNDS = 12  # of Gauss and Newton's method
 MOST_STEPS = 1 << 20
 BESIDE = ("euler_cromer", "euler", "verlet", "heun", "midpoint")  # methods with which such a term is left in
@@ -59,15 +61,41 @@ def fitted(problem: Problem, timing: Timing, columns: Columns, places: Floats) -
     """A program with one such term, and Runge-Kutta or another method, that prints the table's states."""
     if not 0 < timing.clock.steps.max() <= MOST_STEPS:
         return []
+    slower = _stretched(problem, timing, columns)
+    if slower:
+        return [slower]
     steppers = [None, *(each for each in STEPPERS if each.name in BESIDE)]
     for stepper in steppers:
         for term in terms(problem):
-            if stepper is not None and term.name == "drive":
+            if stepper is not None and term.name not in ("damping", "torque"):
                 continue
             found = _fit(problem, timing, columns, term, stepper)
             if found:
                 return [_in_own_time(problem, found, columns, places)]
     return []
+
+
+def _stretched(problem: Problem, timing: Timing, columns: Columns) -> Explanation | None:
+    """The right program, with a period that is nearly right: the times tell it to fewer digits than the states."""
+    start, clock = taken(RIGHT, problem), timing.clock
+    stretch, small = 0.0, 1e-6
+    for _ in range(ROUNDS):
+        clocks = [clock._replace(dt=clock.dt * (1 + each)) for each in (stretch, stretch + small)]
+        at, after = _residuals(problem, clocks, columns, [RIGHT, RIGHT])
+        slope = (after - at) / small
+        change = -float(slope @ at) / max(float(slope @ slope), 1e-300)
+        stretch += change
+        if not abs(stretch) <= LARGEST_STRETCH:
+            return None
+        if abs(change) <= 1e-3 * abs(stretch):
+            break
+    own = timing.tau * (1 + stretch)
+    tau = analysis(start)[2]
+    said = off(start, own, 1.0, {"tau": tau, "got": own, "every": problem.every, "spacing": problem.every * (1 + stretch)})
+    moved = timing._replace(clock=clock._replace(dt=clock.dt * (1 + stretch)), tau=own, findings=(*timing.findings, said))
+    candidate = Candidate(RIGHT, Reading(start), moved, ())
+    prediction = predictions([candidate], problem)[0]
+    return Explanation(candidate, AS_ASKED, prediction) if fits(prediction, AS_ASKED, columns) else None
 
 
 def _in_own_time(problem: Problem, found: Explanation, columns: Columns, places: Floats) -> Explanation:
@@ -87,7 +115,7 @@ def _fit(problem: Problem, timing: Timing, columns: Columns, term: Term, stepper
     start = taken(RIGHT, problem)
     for _ in range(ROUNDS):
         tried = [numbers, *(numbers + step for step in np.diag(1e-6 * np.maximum(np.abs(numbers), 1e-3)))]
-        residuals = _residuals(problem, timing, columns, [term.made(each).of(base) for each in tried])
+        residuals = _residuals(problem, [timing.clock], columns, [term.made(each).of(base) for each in tried])
         if not np.isfinite(residuals).all():
             return None
         slopes = np.stack([(each - residuals[0]) / np.linalg.norm(t - numbers) for each, t in zip(residuals[1:], tried[1:])], axis=1)
@@ -100,6 +128,8 @@ def _fit(problem: Problem, timing: Timing, columns: Columns, term: Term, stepper
     fallback = term.made(numbers)
     for each in (mistake, fallback):
         reading = Reading(taken(each.of(RIGHT), problem))
+        if term.name == "alpha_factor" and abs(numbers[0] - 1) < LEAST:
+            return None
         candidate = Candidate(each.of(base), reading, timing, (each, *mistakes[1:]))
         prediction = predictions([candidate], problem)[0]
         if fits(prediction, AS_ASKED, columns):
@@ -116,7 +146,7 @@ def _round(numbers: Floats, digits: int) -> Floats:
 def _nearest(problem: Problem, timing: Timing, columns: Columns, term: Term, base: Program) -> list[float]:
     if len(term.guesses) == 1:
         return term.guesses[0]
-    residuals = _residuals(problem, timing, columns, [base, *(term.made(np.array(each)).of(base) for each in term.guesses)])
+    residuals = _residuals(problem, [timing.clock], columns, [base, *(term.made(np.array(each)).of(base) for each in term.guesses)])
     best, where = np.inf, term.guesses[0]
     for guess, each in zip(term.guesses, residuals[1:], strict=True):
         slope = (each - residuals[0]) / guess[0]
@@ -127,11 +157,12 @@ def _nearest(problem: Problem, timing: Timing, columns: Columns, term: Term, bas
     return where
 
 
-def _residuals(problem: Problem, timing: Timing, columns: Columns, programs: list[Program]) -> Floats:
+def _residuals(problem: Problem, clocks: list[Clock], columns: Columns, programs: list[Program]) -> Floats:
     """[program, angles and velocities]: what the programs compute less what is printed."""
     starts: list[Start] = [taken(program, problem) for program in programs]
     with np.errstate(all="ignore"):
-        theta, omega = replay(programs, problem, [timing.clock] * len(programs), starts)
+        clocks = clocks * len(programs) if len(clocks) == 1 else clocks
+        theta, omega = replay(programs, problem, clocks, starts)
         rate = float(np.sqrt(problem.alpha))
         off = np.hstack([wrap(theta - columns.theta.values), (omega - columns.omega.values) / rate])
     found: Floats = off

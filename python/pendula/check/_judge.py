@@ -23,7 +23,7 @@ from pendula.check._explain import (
 from pendula.check._finding import ERROR, Finding, Where, error, remark
 from pendula.check._fit import fitted
 from pendula.check._program import RIGHT, Problem, Start, taken
-from pendula.check._sinusoid import angle, right_sinusoid, wrong_sinusoids
+from pendula.check._sinusoid import UNKNOWN, angle, right_sinusoid, wrong_sinusoids
 from pendula.check._sinusoid import fits as sine_fits
 from pendula.check._table import ROLES, WORDS, Column, Columns, columns_at, placements, roles_of
 from pendula.check._timing import Timing, timings
@@ -37,7 +37,9 @@ if TYPE_CHECKING:
     from pendula.check._table import Table
 
 FEW_DIGITS = 5
+ROUGH = 2e-3  # relative: what 3.14 for π does to a sinusoid
 MOST_PLACEMENTS = 12
+MOST_WRONG = 4  # placements that a wrong table's columns are tried in
 WRONG_CELLS = 0.05  # of the rows: so few wrong ones among right ones are cells, and no mistake of the program
 
 
@@ -93,16 +95,40 @@ def judge(problem: Problem, table: Table) -> Judgement:
         if columns is not None and len(found) < MOST_PLACEMENTS:
             found.append((name, columns))
     if not found:
-        return Judgement([*findings, error("columns", found=table.values.shape[1])], {})
+        is_told = any(finding.name in ("no_time", "cartesian") for finding in findings)
+        return Judgement(findings if is_told else [*findings, error("columns", found=table.values.shape[1])], {})
     # As the header says or, where only that makes the states right, in another order.
+    is_twice = len(table.values) > 2 and np.array_equal(table.values[0], table.values[1])
+    if is_twice:
+        table = _without_first(table)
+        found = [(name, _without_first_row(columns)) for name, columns in found if columns.lines.size > 2]
     views = [(name, _view(problem, table, columns)) for name, columns in found]
     name, view = next((each for each in views if _is_right(each[1])), views[0])
+    if not _is_right(view):
+        for each in views[1:MOST_WRONG]:
+            if explanations(problem, each[1].columns, each[1].places, 1):
+                name, view = each
+                break
     if name:
         findings.append(error(name, header=" ".join(table.header)))
+    if is_twice:
+        findings.append(error("first_row_twice"))
     findings += _of_rows(table, view.columns)
     findings += _of_states(problem, view)
     off = _deviations(problem, view)
+    if any(finding.name == "cartesian" for finding in findings):
+        findings = [finding for finding in findings if finding.name not in ("sine_missing", "sine_unexplained")]
+    findings = list({finding.name: finding for finding in reversed(findings)}.values())[::-1]
     return Judgement(findings, off, view.columns, max(view.columns.digits, 3))
+
+
+def _without_first(table: Table) -> Table:
+    return table._replace(values=table.values[1:], units=table.units[1:], lines=table.lines[1:])
+
+
+def _without_first_row(columns: Columns) -> Columns:
+    quantities = [each and Column(each.values[1:], each.units[1:]) for each in columns[:4]]
+    return columns._replace(t=quantities[0], theta=quantities[1], omega=quantities[2], sine=quantities[3], lines=columns.lines[1:])
 
 
 # Layout.
@@ -128,7 +154,7 @@ def _of_rows(table: Table, columns: Columns) -> list[Finding]:
     """Rows that lack numbers, and numbers of few digits."""
     findings = []
     lost = np.setdiff1d(table.lines, columns.lines)
-    if table.ragged:
+    if table.ragged and all(name != "comma_ambiguous" for name, _ in table.notes):
         findings.append(error("ragged", line=table.ragged[0], count=len(table.ragged)))
     lost = np.setdiff1d(lost, table.ragged)
     if lost.size:
@@ -169,6 +195,7 @@ def _of_states(problem: Problem, view: View) -> list[Finding]:
     start, timing, prediction = taken(RIGHT, problem), view.timing, view.wanted
     findings: list[Finding] = []
     printing = AS_ASKED
+    doubt = UNKNOWN
     is_rough = False
     if not _is_right(view):
         found = _explained(problem, view)
@@ -179,6 +206,9 @@ def _of_states(problem: Problem, view: View) -> list[Finding]:
             best = found[0]
             timing, prediction = best.candidate.timing, best.prediction
             start = timing.start or best.candidate.reading.start
+            doubt = max(UNKNOWN, 2 * abs(best.candidate.reading.pi / np.pi - 1))
+            if any(each.name in ("rough_pi", "single_constants") for each in best.mistakes):
+                doubt = max(doubt, ROUGH)
             printing = best.printing
             findings += _told(found, _first_wrong(view))
     elif view.judged < columns.t.values.size:
@@ -189,10 +219,22 @@ def _of_states(problem: Problem, view: View) -> list[Finding]:
     if is_rough:  # its sums of times are inaccurate, too
         in_time = [each for each in in_time if each.name not in ("series_cut", "tau", "tau_off", "uneven_rows", "times_off")]
     findings += in_time
+    findings = _misjudged(problem, start, columns, findings)
     findings += _of_wrapping(columns.theta.scaled(1 / printing.theta_factor), prediction, printing.form, columns)
     if all(each.name != "regime" for each in findings):
-        findings += _of_sinusoid(problem, start, timing, columns, is_rough, printing.theta_factor)
+        findings += _of_sinusoid(problem, start, timing, columns, is_rough, printing.theta_factor, doubt)
     return findings
+
+
+def _misjudged(problem: Problem, start: Start, columns: Columns, findings: list[Finding]) -> list[Finding]:
+    """A period of another regime, and a sinusoid that is there or not as in that regime, are one mistake."""
+    regime, has_sine = regime_of(start), columns.sine is not None
+    periods = ("tau", "period_small", "period_first_term", "series_cut", "period_doubled", "period_halved")
+    found = next((each for each in findings if each.name in periods), None)
+    if found is None or regime == 0 or has_sine == (regime == -1):
+        return findings
+    told = Finding("regime", {"k": problem.regime, **found.values}, where=found.where)
+    return [told if each is found else each for each in findings]
 
 
 def _is_nearly_in_time(problem: Problem, view: View) -> bool:
@@ -205,18 +247,33 @@ def _explained(problem: Problem, view: View) -> list[Explanation] | Finding:
     """The programs that print the states, or what else there is to say of them."""
     columns, where = view.columns, _first_wrong(view)
     rows = columns.t.values.size
+    still = np.all(np.abs(wrap(columns.theta.values - columns.theta.values[0])) <= columns.theta.units)
+    if rows > 1 and still and np.all(np.abs(columns.omega.values - columns.omega.values[0]) <= columns.omega.units):
+        return Finding("nothing_moves", {}, where=where, alternatives=(error("integer_division"),))
     found = explanations(problem, columns, view.places, 1)
     if found:
         return found
     wrong = sum(int(each.sum()) for each in view.wrong)
     if wrong <= max(1, WRONG_CELLS * rows) and rows > 3:
         return Finding("wrong_cell", {"count": wrong}, where=where)
-    found = fitted(problem, view.timing, columns, view.places) or explanations(problem, columns, view.places, 2) or explanations(problem, columns, view.places, 3)
+    found = fitted(problem, view.timing, columns, view.places) or explanations(problem, columns, view.places, 2)
     if found:
         return found
     if any(in_single_precision(problem, timing, columns) for timing in timings(problem, taken(RIGHT, problem), columns.t, view.places)):
-        return Finding("single_precision", {}, where=where)
+        return Finding("single_precision", {}, where=where, alternatives=(error("single_constants"),))
+    found = explanations(problem, columns, view.places, 3)
+    if found:
+        return found
+    if _on_a_circle(columns):
+        return error("cartesian")
     return Finding("unexplained", _symptoms(problem, view), where=where)
+
+
+def _on_a_circle(columns: Columns) -> bool:
+    """Whether the two columns are x and y of a pendulum, whose length is always the same."""
+    x, y = columns.theta.values, columns.omega.values
+    squares = x * x + y * y
+    return bool(np.ptp(squares) <= 1e-3 * squares.max() and np.ptp(x) > 0.01 * np.sqrt(squares.max()))
 
 
 def _told(found: Sequence[Explanation], where: Where | None) -> list[Finding]:
@@ -224,7 +281,8 @@ def _told(found: Sequence[Explanation], where: Where | None) -> list[Finding]:
     own = [mistake.name for mistake in found[0].mistakes]
     findings = []
     for i, mistake in enumerate(found[0].mistakes):
-        others = {}
+        reading = found[0].candidate.reading
+        others = {each.name: error(each.name, **each.values) for each in reading.same if mistake in reading.mistakes}
         for other in found[1:]:
             names = [each.name for each in other.mistakes]
             if len(names) == len(own) and names[i] != own[i] and names[:i] + names[i + 1 :] == own[:i] + own[i + 1 :]:
@@ -282,8 +340,8 @@ def _of_wrapping(theta: Column, prediction: Prediction, form: str, columns: Colu
     where = Where(int(columns.lines[row]), float(columns.t.values[row]), WORDS[1], float(columns.theta.values[row]), wanted)
     unwrapped = prediction.turning
     slack = theta.units + prediction.theta_slack + 1e-9
-    named = [name for name, rule in WRAPPINGS if _follows(theta.values, rule(unwrapped), slack)]
-    alternatives = tuple(error(name) for name in named[1:3])
+    named = list(dict.fromkeys(name for name, rule in WRAPPINGS if _follows(theta.values, rule(unwrapped), slack)))
+    alternatives = tuple(error(name) for name in named[1:4])
     return [Finding(named[0] if named else "not_normalised", {}, where=where, alternatives=alternatives)]
 
 
@@ -315,7 +373,7 @@ WRAPPINGS = (
 # The sinusoid.
 
 
-def _of_sinusoid(problem: Problem, start: Start, timing: Timing, columns: Columns, is_rough: bool, factor: float) -> list[Finding]:
+def _of_sinusoid(problem: Problem, start: Start, timing: Timing, columns: Columns, is_rough: bool, factor: float, doubt: float) -> list[Finding]:
     """The fourth column, which is there where the pendulum oscillates and only there."""
     sine, regime = columns.sine, regime_of(start)
     if start != taken(RIGHT, problem) and (sine is not None) == (regime == -1) and regime != problem.regime:
@@ -332,7 +390,7 @@ def _of_sinusoid(problem: Problem, start: Start, timing: Timing, columns: Column
     if factor != 1 and not np.all(sine_fits(right.at, start, rows, sine)):
         sine = sine.scaled(1 / factor)  # told with the angle
     for times in (rows, t, columns.t):
-        if np.all(sine_fits(right.at, start, times, sine)):
+        if np.all(sine_fits(right.at, start, times, sine, doubt)):
             return []
     if is_rough:
         return []  # as inaccurate as the states

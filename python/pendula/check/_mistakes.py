@@ -80,8 +80,10 @@ THETA_FIRST_OWN = stepper(
     omega_weights=(*ZEROS, *SIMPSON),
 )
 # All slopes as in (3.10), but those of the velocity are taken again at the new angle; or those of the angle at the new velocity.
-THETA_FIRST = stepper([*CLASSICAL, *after(CLASSICAL, SIMPSON)[4:]], SIMPSON, velocity=CLASSICAL, omega_weights=(*ZEROS, *SIMPSON))
-OMEGA_FIRST = stepper(CLASSICAL, (*ZEROS, *SIMPSON), velocity=[*CLASSICAL, *after(CLASSICAL, SIMPSON)[4:]], omega_weights=SIMPSON)
+SEEING_SUM = [*CLASSICAL, *after(CLASSICAL, SIMPSON)[4:]]
+SEEING_THEMSELVES = [*CLASSICAL, *after(CLASSICAL, ZEROS)[4:]]
+SEEING_BOTH = [*CLASSICAL, *([*np.add(SIMPSON, (*row, *ZEROS)[:4])] for row in CLASSICAL)]
+SECOND = (*ZEROS, *SIMPSON)
 
 EULER = stepper(((),), (1,))
 EULER_CROMER = stepper(((), ()), (0, 1), velocity=((), (1,)), omega_weights=(1, 0))
@@ -115,9 +117,10 @@ STEPPERS = (
     method("misprint_two_theta", classical(angle=WITHOUT_D, velocity=CLASSICAL, theta=(1, 1, 1, 2))),
     method("misprint_theta_c_alone", classical(theta=(1, 1, 1, 0))),
     method("misprint_theta_n", classical(angle=WITHOUT_D, velocity=CLASSICAL)),
-    method("theta_before_omega", THETA_FIRST),
-    method("theta_before_omega", THETA_FIRST_OWN),
-    method("omega_before_theta", OMEGA_FIRST),
+    method("theta_before_omega", stepper(SEEING_SUM, SIMPSON, velocity=SEEING_THEMSELVES, omega_weights=SECOND)),
+    method("theta_before_omega", stepper(SEEING_BOTH, SIMPSON, velocity=SEEING_THEMSELVES, omega_weights=SECOND)),
+    method("omega_before_theta", stepper(SEEING_THEMSELVES, SECOND, velocity=SEEING_SUM, omega_weights=SIMPSON)),
+    method("omega_before_theta", stepper(SEEING_THEMSELVES, SECOND, velocity=SEEING_BOTH, omega_weights=SIMPSON)),
     method("weights_unsorted", classical(weights=(1 / 6, 1 / 6, 1 / 3, 1 / 3))),
     method("weights_unsorted", classical(weights=(1 / 3, 1 / 6, 1 / 6, 1 / 3))),
     method("weights_unsorted", classical(weights=(1 / 3, 1 / 3, 1 / 6, 1 / 6))),
@@ -136,6 +139,7 @@ def equation(name: str, values: dict[str, float] | None = None, **changes: Any) 
 
 
 EQUATIONS = (
+    *(equation("length_in_force", pull=g) for g in (9.8, 9.81, 9.80665, 10.0)),
     equation("linear", force="linear"),
     equation("upside_down", sign=-1.0),
     equation("cosine", force="cosine"),
@@ -149,6 +153,7 @@ EQUATIONS = (
 # Of what was read.
 
 BOTH = ("theta0", "omega0")
+SINGLE_PI = float(np.float32(math.pi)) / math.pi
 
 
 def conversions(name: str, radians: float, degrees: float) -> tuple[Mistake, ...]:
@@ -172,9 +177,14 @@ STARTS = (
     start("theta0_sign", theta0=(-1, -1)),
     *(
         Mistake("rough_pi", "start", {"theta0": (1, pi / math.pi), "omega0": (1, pi / math.pi), "pi": used}, {"pi": pi})
-        for pi in (3.14, 3.1415, 3.1416, 3.14159, float(np.float32(math.pi)))
+        for pi in (3.14, 3.1415, 3.1416, 3.14159)
         for used in (pi, math.pi)
     ),
+    *(
+        Mistake("single_constants", "start", {"theta0": (1, SINGLE_PI), "omega0": (1, SINGLE_PI), "pi": used})
+        for used in (SINGLE_PI * math.pi, math.pi)
+    ),
+    start("single_constants", start="single"),
 )
 
 
@@ -200,7 +210,7 @@ def late(name: str, **changes: Any) -> Mistake:
 
 ROWS = (
     late("step_late", steps_late=1),
-    late("step_early", steps_late=-1),
+    late("step_early_but_first", steps_late=-1),  # there is no step before the first
     late("step_late_but_first", steps_late=1, first_is_right=True),
     late("row_late", rows_late=1),
     late("row_early", rows_late=-1),
@@ -232,6 +242,7 @@ PERIODS = {
     "0.99": "limit_099",
     "limit": "limit_not_0999",
     "separatrix": "regime",
+    "rotation": "regime",
 }
 
 SINGLE = Mistake("single_precision", "stepper", {"is_single": True})

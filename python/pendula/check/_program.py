@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-import json
 import math
 from dataclasses import dataclass, field
 from functools import lru_cache
-from typing import TYPE_CHECKING, NamedTuple, TypeAlias
+from tempfile import TemporaryFile
+from typing import TYPE_CHECKING, Any, BinaryIO, NamedTuple, TypeAlias
 
 import numpy as np
 
 from pendula import _core
 from pendula._closed_form import analyze
+from pendula._command import BAD_USAGE, RefusedError, Text, printed
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -22,7 +23,9 @@ if TYPE_CHECKING:
     Integers: TypeAlias = npt.NDArray[np.int64]
 
 DEGREE = math.pi / 180
-MOST_STAGES = 8
+MOST_CHARACTERS = 1 << 20  # of a file with problems
+
+TOO_LONG: Text = ("the file with the problems has more than {0} bytes", "el fichero con los problemas tiene más de {0} bytes")
 
 
 class Problem(NamedTuple):
@@ -115,7 +118,7 @@ def stepper(
     matrices = [_square(each, stages) for each in (angle, own_angle, angle if velocity is None else velocity, own_velocity)]
     parts = np.append(np.array(theta, float), np.ones(stages - len(theta)))
     sums = [_padded(each, stages) for each in (weights, weights if omega_weights is None else omega_weights)]
-    time = np.minimum(matrices[0].sum(axis=1) + matrices[3].sum(axis=1), 1)
+    time = np.clip(np.maximum(matrices[0].sum(axis=1), matrices[2].sum(axis=1)), 0, 1)
     powers = np.broadcast_to(np.array(power, float), stages)
     return Stepper(parts, np.ones(stages), time, *matrices, *sums, powers, sum_power)
 
@@ -144,7 +147,7 @@ class Program:
     """Factors on the initial angle where it is given in radians and in degrees."""
     omega0: tuple[float, float] = (1.0, 1.0)
     start: str = "given"
-    """Or exchanged, or root: ω0 is √α."""
+    """Or exchanged; or root: ω0 is √α; or single: all numbers are read in single precision."""
     alpha: tuple[float, float] = (1.0, 1.0)
     """Factor, and power of the α given."""
     period: str = "right"
@@ -159,6 +162,8 @@ class Program:
     """Factor of the angle in it."""
     sign: float = 1.0
     """Of the acceleration."""
+    pull: float = 0.0
+    """What stands for α in it, unless that is 0."""
     beta: float = 0.0
     torque: float = 0.0
     drive: tuple[float, float] = (0.0, 0.0)
@@ -187,6 +192,8 @@ def taken(program: Program, problem: Problem) -> Start:
     alpha = factor * problem.alpha**power
     if program.start == "exchanged":
         theta0, omega0 = omega0, theta0
+    elif program.start == "single":
+        theta0, omega0, alpha = (float(np.float32(each)) for each in (theta0, omega0, alpha))
     elif program.start == "root":
         omega0 = math.sqrt(alpha)
     return Start(theta0, omega0, alpha)
@@ -206,8 +213,11 @@ def analysis(start: Start) -> tuple[int, float, float]:
 
 def first_term(start: Start) -> float:
     """T0 of the series (3.6): the period without gravity, or without the amplitude's part in it [s]."""
-    if analysis(start)[0] < 0:
-        return small_period(start)
+    return small_period(start) if analysis(start)[0] < 0 else rotation_period(start)
+
+
+def rotation_period(start: Start) -> float:
+    """π/A (3.8), the period of a rotation without gravity [s]."""
     energy_ratio = _core.energy(*start) / _core.energy(0.0, 1.0, start.alpha)
     return analysis(Start(0.0, math.sqrt(energy_ratio), start.alpha * ALMOST_FREE))[2]
 
@@ -247,10 +257,12 @@ def period(name: str, start: Start) -> float | None:
             return limit_time(start, 1.0)
         case "separatrix", -1 | 1:
             return limit_time(start, 0.999)
+        case "rotation", -1:
+            return rotation_period(start)
     return None
 
 
-PERIODS = ("right", "doubled", "halved", "first term", "small", "log10", "0.99", "limit", "separatrix")
+PERIODS = ("right", "doubled", "halved", "first term", "small", "log10", "0.99", "limit", "separatrix", "rotation")
 
 
 # Motion.
@@ -301,7 +313,7 @@ def replay(programs: Sequence[Program], problem: Problem, clocks: Sequence[Clock
 
 
 def _terms(program: Program, start: Start) -> tuple[float, ...]:
-    return (program.sign * start.alpha, program.beta, program.torque, *program.drive, 0.0)
+    return (program.sign * (program.pull or start.alpha), program.beta, program.torque, *program.drive, 0.0)
 
 
 def _recorded(program: Program, clock: Clock) -> Integers:
@@ -316,13 +328,21 @@ def _recorded(program: Program, clock: Clock) -> Integers:
     return steps
 
 
-def read_problems(text: str, printed: str) -> list[Problem]:
-    """The problems of a text that the program pendula has read and printed as JSON."""
-    tokens = [token for line in text.splitlines() for token in line.split("#")[0].split()]
-    found = []
-    for line in printed.splitlines():
-        values = json.loads(line)
-        units = {f"{name}_unit": tokens[8 * len(found) + place] for name, place in (("theta0", 4), ("omega0", 6))}
-        same = {name: float(values[name]) for name in ("theta0", "omega0", "alpha", "dt", "every", "until", "tau", "rows")}
-        found.append(Problem(**same, regime=int(values["k"]), theta_max=float(values["thetaM"]), **units))
-    return found
+def problems(file: BinaryIO, lang: str = "en") -> list[Problem]:
+    """The problems of a file as the program pendula reads them. RefusedError where it refuses them, with its own words."""
+    text = file.read(MOST_CHARACTERS + 1)
+    if len(text) > MOST_CHARACTERS:
+        raise RefusedError(BAD_USAGE, TOO_LONG, MOST_CHARACTERS)
+    # Comments are left out, and the units are the fifth and the seventh of eight values.
+    tokens = [token for line in text.decode("latin-1").splitlines() for token in line.split("#")[0].split()]
+    with TemporaryFile() as copy:
+        copy.write(text)
+        copy.seek(0)
+        read = list(printed(["--dry-run", "--lang", lang], copy))
+    return [_problem(values, tokens[8 * i + 4], tokens[8 * i + 6]) for i, values in enumerate(read)]
+
+
+def _problem(values: dict[str, Any], theta0_unit: str, omega0_unit: str) -> Problem:
+    same = {name: float(values[name]) for name in ("theta0", "omega0", "alpha", "dt", "every", "until", "tau", "rows")}
+    theta_max = float(values["thetaM"])
+    return Problem(**same, regime=int(values["k"]), theta_max=theta_max, theta0_unit=theta0_unit, omega0_unit=omega0_unit)

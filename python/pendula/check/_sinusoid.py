@@ -64,6 +64,7 @@ def wrong_sinusoids(start: Start, tau: float, dt: float) -> Iterator[tuple[str, 
     yield "sine_phase_degrees", right._replace(phase=right.phase * DEGREE)
     yield "sine_by_acos", right._replace(phase=math.acos(ratio))
     yield "sine_by_acos", right._replace(phase=-math.acos(ratio))
+    yield "sine_by_acos", right._replace(phase=math.pi - math.acos(ratio))
     yield "sine_negated", right._replace(phase=-right.phase)
     yield "sine_negated", right._replace(amplitude=-right.amplitude)
     yield "sine_step_late", right._replace(phase=right.phase + right.rate * dt)

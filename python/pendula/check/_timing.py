@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from fractions import Fraction
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -76,10 +77,10 @@ def grid_of(t: Column, places: Floats) -> Grid:
     return Grid(first - places[0] * every, every, places, unit)
 
 
-def timings(problem: Problem, start: Start, t: Column, places: Floats) -> Iterator[Timing]:
+def timings(problem: Problem, start: Start, t: Column, places: Floats, pi: float = math.pi) -> Iterator[Timing]:
     """Explanations of the times, those without a mistake first, for a program that took the pendulum for `start`.
 
-    places: the numbers of the rows, of which some may have been lost.
+    places: the numbers of the rows, of which some may have been lost; pi: what the program takes for π.
     """
     tau = analysis(start)[2]
     factor_every, factor_dt = problem.every / problem.tau, problem.dt / problem.tau
@@ -90,15 +91,20 @@ def timings(problem: Problem, start: Start, t: Column, places: Floats) -> Iterat
         findings = (error("one_row", expected=expected),) if grid.rows == 1 and problem.rows > 1 else ()
         yield Timing(_clock(t, dt, dt * problem.steps_per_row, KNOWN), tau, findings)
         return
-    found = False
+    found = is_in_time = False
     for name in NAMES:
         own = period(name, start)
+        own = own * (pi / math.pi) if own is not None else None
         if own is not None and np.isfinite(own) and _is_spacing(grid, t, factor_every * own, factor_dt * own):
             found = True
-            yield from _timing(problem, t, grid, own, _period_findings(name, problem, start, own))
+            findings = _period_findings(name, problem, start, own)
+            for timing in _timing(problem, t, grid, own, findings):
+                is_in_time |= not timing.changes
+                yield timing._replace(tau=timing.tau * (math.pi / pi))
     if not found:
         yield from _other_spacings(problem, start, t, grid)
-    yield Timing(_numbered(problem, grid, factor_dt * tau), tau, (error("times_off"),))
+    if not is_in_time:
+        yield Timing(_numbered(problem, grid, factor_dt * tau), tau, (error("times_off"),))
 
 
 def _numbered(problem: Problem, grid: Grid, dt: float) -> Clock:
@@ -118,8 +124,10 @@ def _is_spacing(grid: Grid, t: Column, every: float, dt: float) -> bool:
 def _period_findings(name: str, problem: Problem, start: Start, own: float) -> tuple[Finding, ...]:
     if name == "right":
         return ()
-    values = {"k": problem.regime} if name == "separatrix" else {}
-    return (error(PERIODS[name], tau=analysis(start)[2], got=own, **values),)
+    values = {"k": problem.regime} if PERIODS[name] == "regime" else {}
+    both = (error("period_small"),) if name == "first term" and analysis(start)[0] < 0 else ()
+    found = error(PERIODS[name], tau=analysis(start)[2], got=own, **values)
+    return (found._replace(alternatives=both),)
 
 
 def _timing(problem: Problem, t: Column, grid: Grid, own: float, findings: tuple[Finding, ...]) -> Iterator[Timing]:
@@ -153,7 +161,9 @@ def _clock(t: Column, dt: float, every: float, doubt: float) -> Clock:
         unsure = np.zeros_like(values)
     else:
         unsure = np.where(t.units > 0.4 * dt, t.units, 0)
-    return Clock(np.clip(steps, 0, MOST_STEPS).astype(np.int64), dt, doubt, unsure)
+    # A row that is earlier than the one before is wrong by its time.
+    steps = np.maximum.accumulate(np.clip(steps, 0, MOST_STEPS))
+    return Clock(steps.astype(np.int64), dt, doubt, unsure)
 
 
 def _other_spacings(problem: Problem, start: Start, t: Column, grid: Grid) -> Iterator[Timing]:
@@ -165,7 +175,7 @@ def _other_spacings(problem: Problem, start: Start, t: Column, grid: Grid) -> It
     whole = np.ceil(factor / (factor_dt * tau) * (1 - 1e-9)) * factor_dt * tau
     if _is_spacing(grid, t, factor, factor_dt):
         scaled = t._replace(values=t.values * tau, units=t.units * tau)
-        inside = Grid(grid.first * tau, grid.every * tau, grid.rows, grid.unit * tau)
+        inside = grid._replace(first=grid.first * tau, every=grid.every * tau, unit=grid.unit * tau)
         rows = _layout(problem, scaled, inside, factor * tau, factor_dt * tau)
         clock = _clock(scaled, factor_dt * tau, factor * tau, KNOWN)
         yield Timing(clock, tau, (error("times_in_periods"), *rows), tau)
@@ -180,15 +190,15 @@ def _other_spacings(problem: Problem, start: Start, t: Column, grid: Grid) -> It
     if any(finding.name == "uneven_rows" for finding in rows):
         yield Timing(_clock(t, factor_dt * tau, factor * tau, KNOWN), tau, rows)
         return
-    yield Timing(_clock(t, factor_dt * own, grid.every, min(doubt, PERIOD)), own, (_off(start, own, doubt, values), *rows))
+    yield Timing(_clock(t, factor_dt * own, grid.every, min(doubt, PERIOD)), own, (off(start, own, doubt, values), *rows))
 
 
-def _off(start: Start, own: float, doubt: float, values: dict[str, float]) -> Finding:
+def off(start: Start, own: float, doubt: float, values: dict[str, float]) -> Finding:
     """What to say of a period that no mistake of its own gives."""
     regime, _, tau = analysis(start)
     ratio = own / tau
     simple = Fraction(ratio).limit_denominator(LARGEST_RATIO)
-    if 0 < simple.numerator <= LARGEST_RATIO and abs(ratio - float(simple)) <= doubt * ratio and doubt < 1e-4:
+    if simple != 1 and 0 < simple.numerator <= LARGEST_RATIO and abs(ratio - float(simple)) <= doubt * ratio and doubt < 1e-4:
         return error("tau_off", **values, ratio=f"{simple.numerator}/{simple.denominator}")
     if regime != 0 and first_term(start) < own < tau:
         return error("series_cut", **values, relative=1 - ratio)

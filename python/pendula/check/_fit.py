@@ -132,7 +132,9 @@ def _fit(problem: Problem, timing: Timing, columns: Columns, term: Term, stepper
             return None
         candidate = Candidate(each.of(base), reading, timing, (each, *mistakes[1:]))
         prediction = predictions([candidate], problem)[0]
-        if fits(prediction, AS_ASKED, columns):
+        # A fitted number makes up for a part of what is unknown, and is itself no nearer than that.
+        wider = prediction._replace(theta_slack=3 * prediction.theta_slack, omega_slack=3 * prediction.omega_slack)
+        if fits(wider, AS_ASKED, columns):
             return Explanation(candidate, AS_ASKED, prediction)
     return None
 

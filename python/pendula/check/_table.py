@@ -180,11 +180,15 @@ def _table(run: Run, rows: list[Line], others: list[Line], is_first: bool) -> Ta
 
 def _is_damaged(line: Line, rows: Sequence[Line], width: int, header: Sequence[Line]) -> bool:
     """Whether a line was to be a row."""
-    if line.size == 0:
+    first, last = rows[0].place, rows[-1].place
+    is_inside = first < line.place < last
+    if line.kind.name == ROW:
+        return is_inside and line.size > 0
+    if line.size == 0 or line.kind.fields != width:
         return False
-    if rows[0].place < line.place < rows[-1].place:
-        return line.kind.name == ROW or (line.kind.fields == width and 2 * line.size >= width)
-    return bool(header) and header[0].place < line.place and line.kind.fields == width and line.size >= width - 1 >= 2
+    if line.size >= width - 1 >= 2 and (line.kind.is_led or line.size < width):
+        return is_inside or line.place in (first - 1, last + 1) or (len(header) > 0 and header[0].place < line.place)
+    return is_inside and line.kind.is_led and 2 * line.size >= width
 
 
 def _has_prompt(headers: Sequence[tuple[str, ...]], header: tuple[str, ...]) -> bool:

@@ -147,6 +147,8 @@ class Kind(NamedTuple):
     has_brackets: bool = False
     fields: int = 0
     """Of numbers and words."""
+    is_led: bool = False
+    """Whether a number comes first."""
     labels: tuple[str, ...] = ()
     """The words before the numbers."""
     is_prompted: bool = False
@@ -187,10 +189,10 @@ OTHER_SEPARATORS = re.compile(r"[\s;|&]")
 TWO_POINTS = re.compile(r"\.[0-9]++\.")
 DECIMAL_COMMA = re.compile(r"(?<=[0-9]),(?=[0-9])")
 
-# Between numbers: a unit, brackets, quotes, and one separator at most.
+# Between numbers: a unit, brackets, quotes, and one separator at most, which is repeated where cells are empty.
 UNIT = r"(?:\s?+(?:(?:rad|radianes|seg|s|deg|grados|J)(?!\w)|[º°])(?:/s(?:eg)?+(?!\w))?+)?+"
 AROUND = r"[\s\[\](){}\"'$]*+"
-BETWEEN = re.compile(rf"{UNIT}{AROUND}([,;|&:]?+){AROUND}")
+BETWEEN = re.compile(rf"{UNIT}{AROUND}([,;|&:]?+){AROUND}(?:\1{AROUND}){{0,3}}")
 BEFORE = re.compile(r"[\s\[\](){}\"'$#%!>|&*;/,]*+")
 AFTER = re.compile(rf"{UNIT}[\s\[\](){{}}\"'$|&;,.]*+")
 WORD = re.compile(r"[^\W0-9][\w'\u2032\u2019\u0307]*+")
@@ -204,10 +206,14 @@ SPELLINGS = (
     ("\x1a", " "),
     ("{,}", ","),
 )
-# What is replaced in lines with these letters: colours of a terminal, types of Python, quoted decimal commas.
+# What is replaced in lines with these letters: colours of a terminal, types of Python, quoted decimal commas, columns that touch,
+# and Fortran's repeated numbers.
 WRITINGS = (
     ("\x1b", re.compile(r"\x1b\[[0-9;]{0,16}[A-Za-z]"), ""),
     ("(", re.compile(r"(?:np\.|numpy\.)?(?:float[0-9]{0,3}|int[0-9]{0,3}|Decimal)\(([^()]{0,60})\)"), r"\1"),
+    ("-", re.compile(r"(?<=[0-9])(?=-[0-9]{0,9}\.[0-9])"), " "),
+    ("2*", re.compile(r"(?<![\w.*])2\*([+-]?[0-9.]{1,40}(?:[eEdD][+-]?[0-9]{1,4})?)"), r"\1 \1"),
+    ("3*", re.compile(r"(?<![\w.*])3\*([+-]?[0-9.]{1,40}(?:[eEdD][+-]?[0-9]{1,4})?)"), r"\1 \1 \1"),
     ('"', re.compile(r'"(\s{0,9}[+-]?[0-9]{0,40}),([0-9]{1,40}(?:[eE][+-]?[0-9]{1,4})?\s{0,9})"'), r"\1.\2"),
 )
 ROW_ENDS = re.compile(r"(?<=[\])}])[\s,]{0,9}(?=[\[({])")
@@ -345,9 +351,10 @@ def _kind(parts: list[str]) -> Kind:
         separator="".join(sorted(separators)),
         is_bare=any(part.strip("\"'") == "," for part in parts[1:-1]),
         has_brackets=any(letter in part for part in parts for letter in "[](){}"),
+        is_led=bool(BEFORE.fullmatch(parts[0])),
         fields=len(re.split(r"[\s,;|&]+", "0".join(parts).strip())),
     )
-    if is_clean and BEFORE.fullmatch(parts[0]):
+    if is_clean and found.is_led:
         return found
     labels = tuple(map(_label, parts[:-1]))
     return _with_headers(found._replace(name=WORDED, labels=labels, is_prompted=bool(is_clean)), parts[-1])

@@ -11,15 +11,16 @@ from typing import TYPE_CHECKING, NamedTuple, TypeAlias
 import numpy as np
 
 from pendula.check._digits import Floats, Integers, cells_of, units_of
+from pendula.check._lines import PLAIN, ROW
 from pendula.check._records import Run, runs_of, starts_of, time_of
-from pendula.check._text import MOST_TABLES, PLAIN, ROW, UNREADABLE, UnreadableError, contents, decoded, opened, unmarked_utf16
+from pendula.check._text import MOST_TABLES, UNREADABLE, UnreadableError, contents, decoded, opened, unmarked_utf16
 from pendula.check._words import ROLES, STATE, WORDS, fitting, role_of, roles_of
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
     from pendula.check._findings import Value
-    from pendula.check._text import Line
+    from pendula.check._lines import Line
 
 __all__ = [
     "ROLES",

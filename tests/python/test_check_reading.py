@@ -1,6 +1,7 @@
 """Tables are read however they are laid out, no row is lost in silence, and what is no table is refused in words."""
 
 import itertools
+import random
 import subprocess
 import sys
 from pathlib import Path
@@ -515,7 +516,7 @@ def test_any_file_is_read_or_refused_in_two_seconds_and_200_mb(name, tmp_path):
 
 
 def test_damaged_texts_are_read_or_refused():
-    random_ = fuzz_reader.random.Random(10)
+    random_ = random.Random(10)
     read = sum(fuzz_reader.check(fuzz_reader.damaged(random_)) for _ in range(2_000))
     assert read > 500  # not everything is refused
 

@@ -1,6 +1,7 @@
 """Tables are read however they are laid out, no row is lost in silence, and what is no table is refused in words."""
 
 import itertools
+import random
 import subprocess
 import sys
 from pathlib import Path
@@ -86,6 +87,7 @@ LAYOUTS = {
     "a folded NumPy array": ("[" + each_row("[{0} {1} {2}\n {3}]\n "), ("brackets", "folded_records")),
     "NumPy's scalars": (each_row("(np.float64({0}), np.float64({1}), np.float64({2}), np.float64({3}))\n"), ("brackets",)),
     "Fortran's exponents": ("0.D0 15.708D-1 0.D0 1.5708D+00\n" + PLAIN.split("\n", 1)[1], ()),
+    "columns that touch": (PLAIN.replace(" -", "-"), ()),
     "units glued to the numbers": (each_row("{0}s {1}rad {2}rad/s {3}rad\n"), ()),
     "units behind the numbers": (each_row("{0} s, {1} rad, {2} rad/s, {3} rad\n"), ()),
     "labels": (each_row("t={0} theta={1} w={2} sin={3}\n"), ()),
@@ -167,6 +169,31 @@ def test_ragged_rows_keep_their_lines():
     assert table.ragged == (2, 3, 5)
     assert table.values.shape == (6, 3)
     assert list(table.lines) == [1, 2, 3, 4, 5, 6]
+
+
+def test_equal_numbers_that_fortran_counts_are_repeated():
+    (table,) = tables(" 0.0 2*1.5 0.0\n 1.0 3*-2.5E+00\n 2.0 1.0 1.0 1.0\n")
+    assert np.array_equal(table.values[:2], [[0, 1.5, 1.5, 0], [1, -2.5, -2.5, -2.5]])
+
+
+def test_an_empty_cell_makes_its_line_ragged():
+    (table,) = tables("0,1.5,2.5,3\n0.1,1.5,,3\n0.2,1.5,2.5\n0.3,1,2.5,3\n")
+    assert table.ragged == (2, 3)
+
+
+def test_text_with_numbers_among_the_rows_is_no_row():
+    (table,) = tables(PLAIN.replace("\n0.29", "\nEnergia: 0.5 error 1e-9\n0.29"))
+    assert (table.ragged, table.notes) == ((), (("extra_text", {"line": 3}),))
+
+
+@pytest.mark.parametrize("header", ["", f"{HEADER}\n"])
+@pytest.mark.parametrize("row", [0, 1, 2])
+def test_a_damaged_row_is_ragged_wherever_it_is(header, row):
+    lines = PLAIN.splitlines()
+    lines[row] = lines[row].replace(" 1.", " l.", 1)
+    (table,) = tables(header + "\n".join(lines))
+    assert table.ragged == (row + 1 + bool(header),)
+    assert len(table.values) == 3
 
 
 def test_a_damaged_first_row_below_a_header_is_ragged():
@@ -489,7 +516,7 @@ def test_any_file_is_read_or_refused_in_two_seconds_and_200_mb(name, tmp_path):
 
 
 def test_damaged_texts_are_read_or_refused():
-    random_ = fuzz_reader.random.Random(10)
+    random_ = random.Random(10)
     read = sum(fuzz_reader.check(fuzz_reader.damaged(random_)) for _ in range(2_000))
     assert read > 500  # not everything is refused
 

@@ -7,7 +7,8 @@ from collections import Counter
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
-from pendula.check._text import MOST_TABLES, ROW, TEXT, Line, Lines, UnreadableError
+from pendula.check._lines import ROW, TEXT, Line, Lines
+from pendula.check._text import MOST_TABLES, UnreadableError
 from pendula.check._words import roles_of
 
 if TYPE_CHECKING:

@@ -1,7 +1,6 @@
 """Tables are read however they are laid out, no row is lost in silence, and what is no table is refused in words."""
 
 import itertools
-import resource
 import subprocess
 import sys
 from pathlib import Path
@@ -12,7 +11,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from pendula.check import UnreadableError, decoded, read_file, tables
-from pendula.check._table import columns_at, placements, roles_of
+from pendula.check._table import placements, roles_of
 from pendula.check._text import UNREADABLE
 
 # Every layout holds these rows, or those of a rotation, or prose around them.
@@ -109,3 +108,381 @@ def test_all_layouts_are_one_table(layout):
     assert {name for name, _ in table.notes} == set(notes)
     _, places = next(placements(table, oscillates=True))
     assert places == {"t": 0, "theta": 1, "omega": 2, "sine": 3}
+
+
+@pytest.mark.parametrize("end", ["\n", "\r\n", "\n\n", "\r"])
+@pytest.mark.parametrize("lead", ["", "  ", "\t"])
+@pytest.mark.parametrize(
+    ("between", "point"),
+    list(itertools.product([" ", "    ", "\t", " ; ", ";", " | ", ", "], [".", ","])),
+)
+def test_all_separators_and_line_ends_are_one_table(between, point, end, lead):
+    lines = [lead + row.replace(".", point).replace(" ", between) for row in PLAIN.splitlines()]
+    (table,) = tables(end.join(lines))
+    assert np.array_equal(table.values, FOUR)
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("1.5", 1.5),
+        ("-1,5", -1.5),
+        (".5", 0.5),
+        ("5.", 5),
+        ("1e-3", 0.001),
+        ("1.25D+02", 125),
+        ("1.5-101", 1.5e-101),
+        ("−2", -2),
+        ("+7", 7),
+        ("nan", np.nan),
+        ("-nan(ind)", np.nan),
+        ("1.#IND", np.nan),
+        ("-1.#INF00", np.nan),
+        ("inf", np.nan),
+        ("1e999", np.nan),
+        ("****", np.nan),
+        ("#NUM!", np.nan),
+        ("#¡DIV/0!", np.nan),
+        ("None", np.nan),
+    ],
+)
+def test_a_number_is_read_as_it_is_spelled(text, value):
+    (table,) = tables(f"0 {text} 7\n1 2 3\n2 2 3\n")
+    assert np.array_equal(table.values[0], [0, value, 7], equal_nan=True)
+    assert not table.ragged
+
+
+@pytest.mark.parametrize("text", [".", "-", "e5", "1e", "0x10", "1.2.3", "1_000", "٣", "t", "--1", "1-2", "1,2,3"])
+def test_a_line_with_what_is_no_number_is_ragged_and_not_lost(text):
+    (table,) = tables(f"0 1 2 3\n1 1 {text} 3\n2 1 2 3\n3 1 2 3\n")
+    assert table.ragged == (2,)
+    assert list(table.lines) == [1, 2, 3, 4]
+
+
+def test_ragged_rows_keep_their_lines():
+    (table,) = tables("0 1 2\n1 1\n2 1 2 3\n3 1 2\n4\n5 1 2\n")
+    assert table.ragged == (2, 3, 5)
+    assert table.values.shape == (6, 3)
+    assert list(table.lines) == [1, 2, 3, 4, 5, 6]
+
+
+def test_a_damaged_first_row_below_a_header_is_ragged():
+    (table,) = tables(f"{HEADER}\nO 1.5708 0 1.5708\n" + PLAIN.split("\n", 1)[1])
+    assert table.ragged == (2,)
+    assert len(table.values) == 3
+
+
+@pytest.mark.parametrize(
+    ("header", "roles"),
+    [
+        ("t angulo velocidad funcionSinusoidal", "t theta omega sine"),
+        ("tiempo;ángulo;velocidad angular;función sinusoidal", "t theta omega sine"),
+        ("t,theta,omega,theta_seno", "t theta omega sine"),
+        ("Time\tθ\tω\tsin", "t theta omega sine"),
+        ("t θ θ̇", "t theta omega"),
+        ("velocidad t angulo", "omega t theta"),
+        ("time,angular velocity,angle,sine", "t omega theta sine"),
+        ("time angular velocity angle sine function", "t omega theta sine"),
+        ("t theta theta' Theta_sin", "t theta omega sine"),
+        ("t theta dtheta/dt sin", "t theta omega sine"),
+        ("t theta d(theta)/dt", "t theta omega"),
+        ("t, θ, dθ/dt, θ_sen", "t theta omega sine"),
+        ("t theta w seno", "t theta omega sine"),
+        ("w theta t", "omega theta t"),
+        ("Tiempo(s) Angulo(rad) Velocidad(rad/s) Seno", "t theta omega sine"),
+        ("t [s]  theta [rad]  theta_dot [rad/s]", "t theta omega"),
+        ("$t$ & $\\theta$ & $\\dot{\\theta}$ & $\\theta_{seno}$ \\\\", "t theta omega sine"),
+        ("'t' 'theta' 'thetaPunto'", "t theta omega"),
+        ("| t | ang | vel | f_sin |", "t theta omega sine"),
+        ("# t angulo velAngular anguloSeno", "t theta omega sine"),
+        ("n t angulo velocidad", "- t theta omega"),
+        ("t angulo velocidad Ec Ep E", "t theta omega - - -"),
+        ("t theta omega K U E sin", "t theta omega - - - sine"),
+        ("t x y theta omega", "t - - theta omega"),
+        ("t theta omega energia", "t theta omega -"),
+        ("t theta omega alpha", "t theta omega -"),
+        ("t theta omega theta''", "t theta omega -"),
+        ("t theta omega kinetic energy potential energy", "t theta omega - -"),
+        ("Introduce el angulo y la velocidad: t angulo velocidad", "t theta omega"),
+        ("posicion angular;velocidad angular;tiempo", "theta omega t"),
+    ],
+)
+def test_words_of_a_header_tell_the_columns(header, roles):
+    wanted = {role: place for place, role in enumerate(roles.split()) if role != "-"}
+    width = len(roles.split())
+    (table,) = tables(header + "\n" + "".join(" ".join([f"{row}.5"] * width) + "\n" for row in range(3)))
+    assert roles_of(table.header) == wanted
+
+
+@pytest.mark.parametrize(
+    ("text", "note"),
+    [
+        ("theta omega sin\n1 2 3\n2 3 4\n", ("no_time", {})),
+        ("t x y\n0 1 2\n1 2 3\n", ("cartesian", {})),
+        ("t angulo velocidad Ec Ep\n0 1 2 3 4\n1 2 3 4 5\n", ("extra_columns", {"columns": "Ec Ep"})),
+        ("0 1 2\n1 1 2\n2;1;2\n3 1 2\n", ("mixed_separators", {"line": 3})),
+        ("t angulo velocidad\n0 1 2\n1 1 2\nHola\n2 1 2\n", ("extra_text", {"line": 4})),
+        ("0,1,5708,0,1,5708\n0,5,1,2512,-0,5,1,2512\n1,1,-0,7512,1\n", ("comma_ambiguous", {"line": 1, "count": 0})),
+    ],
+)
+def test_the_reader_notes_what_it_sees(text, note):
+    (table,) = tables(text)
+    assert note in table.notes
+
+
+def test_ambiguous_commas_are_paired_only_where_there_is_one_way():
+    text = "0,148326,1,5598,-0,148324,1,55841\n0,296652,1,5268,-0,296595,1,52145\n0,5,2,1,3,4,1\n0,593304,1,39497,-0,591471,1,3765\n"
+    (table,) = tables(text)
+    assert np.array_equal(table.values[[0, 1, 3], :3], [[0.148326, 1.5598, -0.148324], [0.296652, 1.5268, -0.296595], [0.593304, 1.39497, -0.591471]])
+    assert table.ragged == (3,)
+    assert ("comma_ambiguous", {"line": 1, "count": 1}) in table.notes
+
+
+# Where tables begin.
+
+
+def test_a_new_table_begins_at_a_header_or_where_time_falls_back():
+    with_header = tables("t angulo velocidad\n0 1 2\n1 1 2\nt angulo velocidad\n5 1 2\n")
+    without = tables("0 1 2\n1 1 2\n\n0 1 2\n1 1 2\n")
+    assert [len(table.values) for table in with_header] == [2, 1]
+    assert [len(table.values) for table in without] == [2, 2]
+
+
+def test_tables_of_other_widths_are_apart_without_headers():
+    first, second = tables(PLAIN + "0 0 2.01\n0.1 0.2 2.0\n0.2 0.4 1.9\n")
+    assert (first.values.shape, second.values.shape) == ((3, 4), (3, 3))
+
+
+def test_one_wrong_time_is_no_new_table():
+    times = [0.1 * row for row in range(20)]
+    for wrong in (0.05, 99, -1, float("nan")):
+        given_ = [*times[:10], wrong, *times[11:]]
+        (table,) = tables("".join(f"{time:.6g} {time / 3:.6g} 0.5\n" for time in given_))
+        assert len(table.values) == 20
+
+
+def test_what_is_printed_before_each_table_is_no_row():
+    text = "".join(f"-1 1.5708 7.4163\n{HEADER}\n{PLAIN}" for _ in range(3))
+    found = tables(text)
+    assert [table.values.tolist() for table in found] == [FOUR] * 3
+    assert [dict(table.notes)["extra_text"]["line"] for table in found] == [1, 6, 11]
+
+
+def test_time_is_found_where_it_is_not_the_first_column():
+    rows = [(np.sin(0.3 * row), 0.1 * row, np.cos(0.3 * row)) for row in range(60)]
+    assert len(tables("".join("{:.6f} {:.6f} {:.6f}\n".format(*row) for row in rows * 2))) == 2
+
+
+# Columns.
+
+
+def table_of(width, header=""):
+    return header + "".join(" ".join(f"{row + column / 10:.6f}" for column in range(width)) + "\n" for row in range(5))
+
+
+def test_placements_begin_with_what_the_header_says():
+    (table,) = tables(table_of(3, "velocidad t angulo\n"))
+    found = list(placements(table, oscillates=False))
+    assert found[0] == ("", {"omega": 0, "t": 1, "theta": 2})
+    assert found[1] == ("header_order", {"t": 0, "theta": 1, "omega": 2})
+    assert ("swapped", {"t": 0, "theta": 2, "omega": 1}) in found
+
+
+def test_columns_beside_the_four_are_never_the_sinusoid():
+    for words in ("Ec Ep E", "x y", "energia", "error", "alpha"):
+        (table,) = tables(table_of(3 + len(words.split()), f"t angulo velocidad {words}\n"))
+        assert "sine" not in next(placements(table, oscillates=True))[1]
+    (table,) = tables(table_of(4, "t angulo velocidad aproximacion\n"))
+    assert next(placements(table, oscillates=True))[1]["sine"] == 3
+
+
+def test_without_a_header_the_possible_placements_are_offered():
+    (table,) = tables(table_of(5))
+    found = [tuple(places.get(role) for role in ("t", "theta", "omega", "sine")) for _, places in placements(table, oscillates=True)]
+    assert found[0] == (0, 1, 2, 3)
+    assert {(1, 2, 3, 4), (0, 1, 2, 4), (0, 3, 4, None), (0, 2, 4, None), (0, 2, 1, 3)} <= set(found)
+    for width, oscillates in itertools.product(range(2, 64), (True, False)):
+        (table,) = tables(table_of(width))
+        assert (width > 2) <= len(list(placements(table, oscillates))) <= 12
+
+
+def test_of_two_methods_runge_kuttas_columns_are_taken_first():
+    (table,) = tables(table_of(5, "t theta_euler omega_euler theta_rk4 omega_rk4\n"))
+    (_, first), (_, second), *_ = placements(table, oscillates=False)
+    assert (first["theta"], first["omega"]) == (3, 4)
+    assert (second["theta"], second["omega"]) == (1, 2)
+
+
+def test_numbers_of_rows_need_no_word_above_them():
+    text = "   t  theta  omega\n" + "".join(f"{row}  {row / 8:.6f}  1.{row}0000  -0.{row}00000\n" for row in range(4))
+    (table,) = tables(text)
+    assert roles_of(table.header) == {"t": 1, "theta": 2, "omega": 3}
+
+
+# Digits.
+
+
+def units(*numbers, others="1.23457"):
+    """Powers of ten of the units of a column, beside one of six digits."""
+    (table,) = tables("".join(f"{row} {number} {others}\n" for row, number in enumerate(numbers)))
+    return np.rint(np.log10(table.units[:, 1])).astype(int).tolist()
+
+
+def test_the_unit_of_the_last_digit_is_that_of_the_longest_number():
+    assert units("0", "0.148326", "1.48326") == [-6, -6, -5]
+    assert units("1.5708", "1.5598", "-0.00123457", "2.1") == [-5, -5, -8, -5]
+    assert units("0.00", "0.15", "1.20") == [-2, -2, -2]
+    assert units("1.50000e+00", "1.5e-03", "2.25000e-05") == [-5, -8, -10]
+    assert units("0.0012", "1.5708", "0.1483", "12.3457") == [-4] * 4
+
+
+def test_round_numbers_are_as_exact_as_those_beside_them():
+    (table,) = tables("".join(f"{0.5 * row:g} {np.cos(0.5 * row):.6g} {-np.sin(0.5 * row):.6g}\n" for row in range(30)))
+    assert table.units[:, 0].max() == 1e-4
+    (fixed,) = tables("".join(f"{0.5 * row:.1f} {np.cos(0.5 * row):.6f} {-np.sin(0.5 * row):.6f}\n" for row in range(30)))
+    assert np.all(fixed.units == np.broadcast_to([0.1, 1e-6, 1e-6], (30, 3)))
+
+
+def test_one_number_with_more_digits_does_not_make_the_others_more_exact():
+    values = [f"{np.cos(0.1 * row):.4f}" for row in range(30)]
+    assert set(units("1.5707963268", *values)[1:]) == {-4}
+
+
+def test_one_number_with_fewer_digits_does_not_make_the_others_less_exact():
+    values = [f"{1 + row / 7:.6f}" for row in range(30)]
+    found = units(*values[:10], "2.4", *values[10:])
+    assert set(found) == {-6}
+    assert units("1.5", *values)[0] == -1  # the initial state, as it was given
+
+
+@settings(max_examples=200)
+@given(
+    st.lists(st.floats(-100, 100).filter(lambda value: value == 0 or abs(value) > 1e-4), min_size=8, max_size=60),
+    st.sampled_from([".4f", ".6f", ".10f", ".6g", ".10g", ".4e", ".16g", ""]),
+)
+def test_units_are_never_less_than_what_was_printed_nor_forgive_more_than_one_digit(values, style):
+    text = "".join(f"{row} {format(value, style)}\n" for row, value in enumerate(values))
+    (table,) = tables(text)
+    column = table.units[:, 1]
+    off = np.abs(table.values[:, 1] - values)
+    off_zero = np.array(values) != 0
+    # What is read back is rounded to a double, too.
+    assert np.all(off <= 0.5 * column + 2e-16 * np.abs(values))
+    if style[-1:] in ("g", "e") and table.digits[1] == int(style[1:-1]) + (style[-1] == "e"):
+        first = np.floor(np.log10(np.abs(values), where=off_zero, out=np.zeros(len(values))))
+        assert np.all((column <= 11 * 10.0 ** (first + 1 - table.digits[1]))[off_zero])
+    if style[-1:] == "f":
+        assert np.all(column <= 1.001 * 10.0 ** -int(style[1:-1]))
+
+
+# Files.
+
+
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "utf-16", "utf-16-le", "utf-16-be", "utf-32", "latin-1", "cp1252"])
+def test_accents_survive_their_encoding(encoding, tmp_path):
+    path = tmp_path / "table"
+    path.write_bytes("t ángulo velocidad\n0 1 2\n".encode(encoding))
+    (table,) = read_file(str(path))
+    assert roles_of(table.header) == {"t": 0, "theta": 1, "omega": 2}
+    assert table.notes == ((("no_mark_utf16", {}),) if encoding in ("utf-16-le", "utf-16-be") else ())
+
+
+@pytest.mark.parametrize(
+    ("data", "reason"),
+    [
+        (b"", "empty"),
+        (b" \n\t\r\n", "empty"),
+        (b"\x7fELF\x02\x01\x00\x00 1 2 3", "binary"),
+        (bytes(range(256)), "binary"),
+        (b"\0" * 100, "binary"),
+        (b"hello", "no table"),
+        (b"1\n2\n3\n", "no table"),
+        (b"t angulo velocidad\n", "no table"),
+        ("\N{SNOWMAN}".encode() * 1000, "no table"),
+        (b"1 " * 65, "wide"),
+        (b"1 " * 5000, "long line"),
+        (b"1 2\n" * 120_001, "many lines"),
+        (b"t angulo velocidad\n0 1 2\n" * 2001, "many tables"),
+        (b"".join(b"%d a%xz b\n" % (row, row) for row in range(2001)), "many kinds"),
+    ],
+)
+def test_what_is_no_table_is_refused_with_its_reason(data, reason):
+    with pytest.raises(UnreadableError) as refused:
+        tables(decoded(data))
+    assert refused.value.name == reason
+
+
+def test_every_reason_has_texts_with_the_same_places():
+    for english, spanish in UNREADABLE.values():
+        assert {place for place in "012" if f"{{{place}" in english} == {place for place in "012" if f"{{{place}" in spanish}
+
+
+MIB = 1 << 20
+HOSTILE = {
+    "one line": lambda: b"0.123456 " * (10 * MIB // 9),
+    "rows": lambda: b"".join(b"%d 1.5 2.5 3.5\n" % row for row in range(119_990)),
+    "long rows": lambda: b"".join(b"%.9e %.9e %.9e %.9e\n" % (row, row + 0.1, row + 0.2, row + 0.3) for row in range(119_990)),
+    "a million rows": lambda: b"0 1 2\n" * 1_000_000,
+    "wide rows": lambda: (b"1 " * 64 + b"\n") * 15_600,
+    "a million tables": lambda: b"".join(b"%d 1 2\n" % (2_000_000 - row) for row in range(1_000_000)),
+    "tables of two rows": lambda: b"0 1 2\n1 1 2\n" * 59_000,
+    "tables of a row": lambda: b"".join(b"%d 1 2\n" % (200_000 - row) for row in range(119_990)),
+    "brackets": lambda: b"[" * 8_000_000,
+    "brackets in lines": lambda: (b"[" * 8_000 + b"1 2 3" + b"]" * 100 + b"\n") * 1000,
+    "lists": lambda: b"[1, 2, 3], " * 700_000,
+    "commas": lambda: b"," * 8_000_000,
+    "commas in lines": lambda: (b"," * 8_000 + b"\n") * 1000,
+    "decimal commas that separate": lambda: b"".join(b"%d,5,1,25,-0,5,1,25\n" % row for row in range(119_990)),
+    "such commas, to be paired": lambda: b"0,5,1,25,-0,5,1,25\n" * 100 + b"".join(b"%d,1,25,-0,5,1\n" % row for row in range(119_000)),
+    "quotes": lambda: b'"1,2"' * 1_600_000,
+    "NULs": lambda: b"\0" * 16 * MIB,
+    "line ends": lambda: b"\r\n" * 8_000_000,
+    "line ends and a row": lambda: b"\r" * 8_000_000 + b"1 2",
+    "spaces in lines": lambda: (b" " * 8_000 + b"1 2 x\n") * 1000,
+    "points": lambda: (b"1." * 4_000 + b"\n") * 1000,
+    "exponents": lambda: (b"1e" * 4_000 + b"\n") * 1000,
+    "signs": lambda: (b"+-" * 4_000 + b"\n") * 1000,
+    "escapes": lambda: (b"\x1b[" * 4_000 + b"\n") * 1000,
+    "calls": lambda: (b"float(" * 1_300 + b"\n") * 1000,
+    "words": lambda: b"".join(b"%x abc\n" % row for row in range(119_000)),
+    "headers": lambda: (b"t angulo velocidad " * 20 + b"\n") * 20_000,
+    "headers of other words": lambda: b"".join(b"t angulo velocidad angular (rad) %x\n" % row for row in range(119_000)),
+    "digits": lambda: (b"9" * 8_000 + b"\n") * 1000,
+    "letters outside the basic plane": lambda: ("0 1 2 3 \U0001f600\n" * 119_000).encode(),
+    "too large": lambda: b"0 1 2\n" * (16 * MIB // 6),
+}
+MEASURED = """
+import sys, time
+from pendula.check import UnreadableError, read_file
+begin = time.process_time()
+try:
+    read_file(sys.argv[1])
+except UnreadableError:
+    pass
+took = time.process_time() - begin
+with open("/proc/self/status") as status:
+    print(took, next(line.split()[1] for line in status if line.startswith("VmHWM")))
+"""
+
+
+@pytest.mark.skipif(not Path("/proc/self/status").exists(), reason="memory is measured as Linux tells it")
+@pytest.mark.parametrize("name", HOSTILE)
+def test_any_file_is_read_or_refused_in_two_seconds_and_200_mb(name, tmp_path):
+    path = tmp_path / "table"
+    path.write_bytes(HOSTILE[name]())
+    done = subprocess.run([sys.executable, "-c", MEASURED, path], capture_output=True, text=True, check=True, timeout=60)
+    seconds, kilobytes = map(float, done.stdout.split())
+    assert seconds < 2
+    assert kilobytes < 200_000
+
+
+def test_damaged_texts_are_read_or_refused():
+    random_ = fuzz_reader.random.Random(10)
+    read = sum(fuzz_reader.check(fuzz_reader.damaged(random_)) for _ in range(2_000))
+    assert read > 500  # not everything is refused
+
+
+@settings(max_examples=300)
+@given(st.text(st.sampled_from("0123456789.,;|&\\ \t\n\r-+eEdD[](){}\"'$#%tθω=:nai*"), max_size=200))
+def test_any_text_is_read_or_refused(text):
+    fuzz_reader.check(text.encode())

@@ -23,10 +23,9 @@ def cells_of(rows: Sequence[str], width: int) -> tuple[Floats, Integers, Integer
     values, digits, decimals = np.full(size, np.nan), np.zeros(size, np.int64), np.zeros(size, np.int64)
     step = max(1, CHUNK // width)
     for start in range(0, len(rows), step):
-        words = [(row.split() + ["nan"] * width)[:width] for row in rows[start : start + step]]
-        flat = [word for row in words for word in row]
-        shape = len(words), width
-        part = slice(start, start + len(words))
+        flat = _padded(rows[start : start + step], width)
+        shape = len(flat) // width, width
+        part = slice(start, start + shape[0])
         values[part] = np.array(list(map(float, flat))).reshape(shape)
         found = _digits(flat)
         digits[part], decimals[part] = found[0].reshape(shape), found[1].reshape(shape)
@@ -35,9 +34,18 @@ def cells_of(rows: Sequence[str], width: int) -> tuple[Floats, Integers, Integer
     return values, digits, decimals
 
 
+def _padded(rows: Sequence[str], width: int) -> list[str]:
+    """The numbers of rows that are made equally long."""
+    words = [row.split() for row in rows]
+    if any(len(row) != width for row in words):
+        words = [(row + ["nan"] * width)[:width] for row in words]
+    return [word for row in words for word in row]
+
+
 def _digits(numbers: Sequence[str]) -> tuple[Integers, Integers]:
     """Significant digits, and digits behind the point, less the exponent."""
-    letters = np.array(numbers, f"S{LETTERS}").view(np.uint8).reshape(len(numbers), LETTERS)
+    most = min(max(map(len, numbers)), LETTERS)
+    letters = np.array(numbers, f"S{most}").view(np.uint8).reshape(len(numbers), most)
     is_exponent = np.logical_or.accumulate((letters | 32) == ord("e"), axis=1)
     is_digit = (letters - ord("0") < 10) & ~is_exponent
     is_behind = np.logical_or.accumulate(letters == ord("."), axis=1)
@@ -50,7 +58,6 @@ def _digits(numbers: Sequence[str]) -> tuple[Integers, Integers]:
 
 # Zeros at the end may be left out, in a tenth of all numbers; so a way to print them that most do not show is none.
 MOST = 0.5
-FEW = 3  # rows, of which a single longer number is no sign
 MANY = 20  # rows that show whether zeros are left out
 
 
@@ -96,14 +103,14 @@ def _is_fixed(decimals: Integers) -> bool:
 
 def _is_even(values: Floats, decimals: Integers) -> bool:
     """Whether round numbers follow each other at equal distances, so that nothing was rounded."""
-    unit = 10.0 ** -int(decimals.max())
-    steps = np.rint(np.diff(values) / unit)
-    return len(steps) > 2 and bool(np.all(steps == steps[0]))
+    with np.errstate(all="ignore"):
+        steps = np.diff(values) * 10.0 ** min(int(decimals.max()), 300)
+        return len(steps) > 2 and bool(np.ptp(steps) < 0.5)
 
 
 def _longest(counts: Integers) -> int:
-    """The largest; but not one that stands alone."""
-    if not counts.size:
-        return 0
-    first, second = int(counts.max()), int(np.partition(counts, -2)[-2]) if counts.size > FEW else 0
-    return second if counts.size > FEW and first > second + 1 else first
+    """The largest; among many not one that stands alone, which was printed in another way."""
+    if counts.size < MANY:
+        return int(counts.max(initial=0))
+    second, first = map(int, np.partition(counts, -2)[-2:])
+    return second if first > second + 1 else first

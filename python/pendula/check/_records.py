@@ -19,7 +19,10 @@ class Run:
 
     def __init__(self) -> None:
         self.headers: tuple[tuple[str, ...], ...] = ()
-        self.header_place = 0
+        self.named = 0
+        """How many quantities the header names."""
+        self.header_lines: list[Line] = []
+        """The line of the header, if there is one."""
         self.rows: list[Line] = []
         self.others: list[Line] = []
         """Lines that are no rows."""
@@ -41,8 +44,11 @@ def runs_of(text: str) -> list[Run]:
                 runs.append(run)
                 if len(runs) > 2 * MOST_TABLES:
                     raise UnreadableError("many tables", MOST_TABLES)
-            if _named(line.kind.headers) >= _named(run.headers):
-                run.headers, run.header_place = line.kind.headers, line.place
+            if line.kind.named >= run.named:
+                run.others += run.header_lines
+                run.headers, run.named, run.header_lines = line.kind.headers, line.kind.named, [line]
+            else:
+                run.others.append(line)
         elif line.kind.name == TEXT:
             run.others.append(line)
         else:
@@ -54,15 +60,13 @@ def runs_of(text: str) -> list[Run]:
     return runs
 
 
-def _named(headers: Sequence[tuple[str, ...]]) -> int:
-    return max((len(roles_of(header)) for header in headers), default=0)
-
-
 # Words among numbers.
 
 
 def _settle_words(run: Run) -> None:
     """Lines with words are rows where they come one after another, or name a time and an angle; the others are none."""
+    if all(line.kind.name == ROW for line in run.rows):
+        return
     labelled = Counter(one.kind.labels for one, other in pairwise(run.rows) if one.kind.labels == other.kind.labels != ())
     kept = []
     for place, line in enumerate(run.rows):
@@ -70,7 +74,7 @@ def _settle_words(run: Run) -> None:
         if line.kind.name == ROW or labelled[labels] >= 2 or {"t", "theta"} <= roles_of(labels).keys():
             kept.append(line)
             if labels and not run.headers and len(roles_of(labels)) >= 2:
-                run.headers, run.header_place = (labels,), line.place
+                run.headers = (labels,)
         elif line.kind.is_prompted and not kept and _begins(line, run.rows[place + 1 : place + 3]):
             kept.append(line)
             run.others.append(line._replace(size=0))
@@ -104,7 +108,10 @@ def _unfold(run: Run) -> None:
     sizes = [line.size for line in run.rows]
     if len(sizes) < 2:
         return
-    for width in sorted({len(header) for header in run.headers if len(header) >= 3}):
+    widths = {len(header) for header in run.headers if len(header) >= 3}
+    if Counter(sizes).most_common(1)[0][0] in widths:
+        return
+    for width in sorted(widths):
         ends = _ends_by_width(sizes, width)
         if ends:
             _join(run, [0, *ends])
@@ -183,19 +190,24 @@ def _pair_commas(run: Run) -> None:
         if line.size == most:
             digits = (len(whole.lstrip("+-")) for whole in line.numbers.split()[::2])
             limits = list(map(max, limits, digits))
-    lost, tried = 0, 0
-    for place, line in enumerate(run.rows):
+    lost, tried, rows = 0, 0, []
+    for line in run.rows:
         fields = line.numbers.split()
         found = []
         if line.kind.is_bare and width <= line.size <= most:
             tried += line.size < most
-            if line.size == most or tried <= MOST_PAIRINGS:
+            if line.size == most and all(field[0].isdigit() for field in fields[1::2]):
+                found = [list(map(".".join, zip(fields[::2], fields[1::2], strict=True)))]
+            elif tried <= MOST_PAIRINGS:
                 found = list(islice(_pairings(fields, limits), 2))
         if len(found) == 1:
-            run.rows[place] = line._replace(numbers=" ".join(found[0]), size=width)
+            rows.append(line._replace(numbers=" ".join(found[0]), size=width))
         else:
+            rows.append(line._replace(numbers="nan nan", size=2))
             lost += 1
     run.commas = bare[0].place, lost
+    if 2 * lost < len(rows):
+        run.rows = rows
 
 
 def _pairings(fields: Sequence[str], limits: Sequence[int]) -> Iterator[list[str]]:

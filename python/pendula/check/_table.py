@@ -65,8 +65,10 @@ class Table(NamedTuple):
 def read_file(path: str) -> list[Table]:
     """The tables of a file. Raises UnreadableError."""
     data = contents(path)
-    found = tables(decoded(data, path))
-    if unmarked_utf16(data):
+    text, is_unmarked = decoded(data, path), unmarked_utf16(data)
+    del data  # up to 16 MB
+    found = tables(text)
+    if is_unmarked:
         found = [table._replace(notes=(("no_mark_utf16", {}), *table.notes)) for table in found]
     return found
 
@@ -154,7 +156,7 @@ def _is_preamble(part: Sequence[Line], following: Sequence[Line], run: Run, has_
 
 def _table(run: Run, rows: list[Line], others: list[Line], is_first: bool) -> Table:
     width = _width(rows)
-    damaged = [line for line in others if _is_damaged(line, rows, width, run.header_place)]
+    damaged = [line for line in others if _is_damaged(line, rows, width, run.header_lines)]
     bad = {line.place for line in damaged} | {line.place for line in rows if line.size != width}
     rows = sorted([*rows, *damaged], key=PLACE) if damaged else rows
     values, digits, decimals = cells_of([line.numbers for line in rows], width)
@@ -163,7 +165,7 @@ def _table(run: Run, rows: list[Line], others: list[Line], is_first: bool) -> Ta
         header = ("", *header)  # above the numbers of rows there is no word
     extra = [line.place for line in others if line not in damaged]
     if is_first and _has_prompt(run.headers, header):
-        extra.append(run.header_place)
+        extra += [line.place for line in run.header_lines]
     return Table(
         header,
         values,
@@ -175,13 +177,13 @@ def _table(run: Run, rows: list[Line], others: list[Line], is_first: bool) -> Ta
     )
 
 
-def _is_damaged(line: Line, rows: Sequence[Line], width: int, header_place: int) -> bool:
+def _is_damaged(line: Line, rows: Sequence[Line], width: int, header: Sequence[Line]) -> bool:
     """Whether a line was to be a row."""
     if line.size == 0:
         return False
     if rows[0].place < line.place < rows[-1].place:
         return line.kind.name == ROW or (line.kind.fields == width and 2 * line.size >= width)
-    return 0 < header_place < line.place and line.kind.fields == width and line.size >= width - 1 >= 2
+    return bool(header) and header[0].place < line.place and line.kind.fields == width and line.size >= width - 1 >= 2
 
 
 def _has_prompt(headers: Sequence[tuple[str, ...]], header: tuple[str, ...]) -> bool:

@@ -10,16 +10,16 @@ from pathlib import Path
 from typing import TYPE_CHECKING, BinaryIO, NamedTuple
 
 from pendula._command import BAD_USAGE, RefusedError, Text
-from pendula.check._words import headers_of, role_of
+from pendula.check._words import headers_of, role_of, roles_of
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
 # Bounds that no coursework comes near to. They keep any file within two seconds and 200 MB.
-MOST_BYTES = 1 << 24
-MOST_LINES = 200_000
+MOST_BYTES = 1 << 23
+MOST_LINES = 120_000
 MOST_LETTERS = 1 << 13  # of a line
-MOST_KINDS = 5_000  # of lines, numbers aside
+MOST_KINDS = 2_000  # of lines, numbers aside
 MOST_NUMBERS = 1_000_000
 MOST_COLUMNS = 64
 MOST_TABLES = 1_000
@@ -96,8 +96,14 @@ CONTROLS = re.compile(rb"[\0-\x08\x0e-\x19\x1c-\x1f]")
 CONTROLS_READ = re.compile(r"[\0-\x08\x0e-\x19\x1c-\x1f]")
 
 
+def _marked(data: bytes) -> str:
+    return next((name for mark, name in MARKS if data.startswith(mark)), "")
+
+
 def unmarked_utf16(data: bytes) -> str:
     """The encoding of UTF-16 without its mark, in which every other byte of digits is 0; "" for another one."""
+    if _marked(data):
+        return ""
     sample = data[:SAMPLE]
     for encoding, first in (("utf-16-le", 1), ("utf-16-be", 0)):
         others = sample[1 - first :: 2]
@@ -110,8 +116,7 @@ def decoded(data: bytes, path: str = "") -> str:
     """UTF-8, UTF-16 with its mark or without, or else Latin-1, in which only letters of a header can be wrong."""
     if not data.strip():
         raise UnreadableError("empty", path)
-    marked = next((name for mark, name in MARKS if data.startswith(mark)), "")
-    encoding = marked or unmarked_utf16(data)
+    encoding = _marked(data) or unmarked_utf16(data)
     if not encoding and CONTROLS.search(data):
         raise UnreadableError("binary", path)
     if encoding.startswith(("utf-16", "utf-32")):
@@ -148,6 +153,8 @@ class Kind(NamedTuple):
     """Whether words stand only before the first number."""
     headers: tuple[tuple[str, ...], ...] = ()
     """The words of the header that the line may be, separated in several ways."""
+    named: int = 0
+    """How many quantities they name."""
 
 
 class Line(NamedTuple):
@@ -173,8 +180,10 @@ NOT_FINITE = (
     r"[+-]?+(?:(?:nan(?:\([a-z0-9]{0,9}\))?+|inf(?:inity)?+|none|null)(?!\w)|1[.,]#[a-z]++[0-9]*+|\*{2,}+)"
     r"|#[\w¡/]{1,9}+[!?]"
 )
-TOKEN = re.compile(rf"(?<![\w.^+\-])({NOT_FINITE}|{NUMBER})(?![0-9_]|\.\S)", re.IGNORECASE)
+TOKEN = re.compile(rf"((?=[0-9.+\-*#ni])(?<![\w.^+\-])(?:{NOT_FINITE}|{NUMBER}))(?![0-9_]|\.\S)", re.IGNORECASE)
+USUAL = re.compile(r"[+-]?+[0-9.]++(?: [+-]?+[0-9.]++)*+")
 LETTERLESS = re.compile(r"(?<=[0-9.])(?=[+-][0-9]{3}$)")
+TWO_POINTS = re.compile(r"\.[0-9]++\.")
 DECIMAL_COMMA = re.compile(r"(?<=[0-9]),(?=[0-9])")
 
 # Between numbers: a unit, brackets, quotes, and one separator at most.
@@ -206,6 +215,9 @@ LATEX_COMMANDS = re.compile(
 )
 
 
+AT_A_TIME = 1 << 16  # letters
+
+
 class Lines:
     """The lines of a text that are not blank."""
 
@@ -234,8 +246,8 @@ class Lines:
         if text.isascii() and "_" not in text:
             words = text.split()
             try:
-                for word in words:
-                    float(word)
+                for _ in map(float, words):
+                    pass
             except ValueError:
                 pass
             else:
@@ -252,6 +264,8 @@ class Lines:
 
     def _with_commas(self, place: int, text: str, decimal: str) -> Line:
         """Commas between digits are decimal ones where something else separates the numbers."""
+        if TWO_POINTS.search(decimal):
+            return self._split(place, text)
         line = self._split(place, decimal)
         if line.kind.name == ROW and not line.kind.is_bare:
             return line
@@ -266,20 +280,33 @@ class Lines:
             if len(self._kinds) >= MOST_KINDS:
                 raise UnreadableError("many kinds", MOST_KINDS)
             kind = self._kinds[shape] = _kind(parts[::2])
-        return Line(place, " ".join(map(_spelled, parts[1::2])), len(parts) // 2, kind)
+        numbers = " ".join(parts[1::2])
+        if not USUAL.fullmatch(numbers):
+            numbers = " ".join(map(_spelled, parts[1::2]))
+        return Line(place, numbers, len(parts) // 2, kind)
 
 
 def _rows_of_all(text: str) -> Iterator[tuple[int, str]]:
     """The place and the text of every row."""
     is_latex = "\\\\" in text
-    end = "\n" if "\n" in text else "\r"
-    place, start = 1, 0
-    while start <= len(text):
-        stop = text.find(end, start)
-        stop = len(text) if stop < 0 else stop
-        for line in text[start:stop].rstrip("\r").split("\r", MOST_LINES):
+    for place, line in enumerate(_lines_of(text), start=1):
+        if is_latex or "]" in line or ")" in line or "}" in line:
             yield from ((place, row) for row in _rows_of(line, is_latex))
-            place += 1
+        else:
+            yield place, line
+
+
+def _lines_of(text: str) -> Iterator[str]:
+    """The lines of a text; some at a time, for a line alone takes more memory than its letters."""
+    end = "\n" if "\n" in text else "\r"
+    start = 0
+    while start <= len(text):
+        stop = text.find(end, start + AT_A_TIME)
+        stop = len(text) if stop < 0 else stop
+        part = text[start:stop]
+        if end == "\n" and "\r" in part:
+            part = part.replace("\r\n", "\n").replace("\r", "\n")
+        yield from part.rstrip("\r").split("\n" if end == "\n" else end, MOST_LINES)
         start = stop + 1
 
 
@@ -288,7 +315,7 @@ def _rows_of(line: str, is_latex: bool) -> list[str]:
     if is_latex and "\\" in line:
         rows = LATEX_COMMANDS.sub(" ", line).split("\\\\", MOST_LINES)
         return rows if len(rows) == 1 or rows[-1].strip() else rows[:-1]
-    if ("]" in line or ")" in line or "}" in line) and ROW_ENDS.search(line):
+    if ROW_ENDS.search(line):
         rows = ROW_ENDS.split(line, MOST_LINES)
         if sum(len(TOKEN.findall(row, 0, MOST_LETTERS)) > 1 for row in rows[:4]) > 1:
             return rows
@@ -308,7 +335,8 @@ def _spelled(number: str) -> str:
 def _kind(parts: list[str]) -> Kind:
     """What a line is that has these parts before, between and after its numbers."""
     if len(parts) == 1:
-        return Kind(TEXT, headers=headers_of(parts[0])) if parts[0].strip() else NOTHING
+        is_text = "..." in parts[0] or any(map(str.isalnum, parts[0]))  # else it is a rule
+        return _with_headers(Kind(TEXT), parts[0]) if is_text else NOTHING
     between = [BETWEEN.fullmatch(part) for part in parts[1:-1]]
     is_clean = all(match and match[0] for match in between) and AFTER.fullmatch(parts[-1])
     separators = {match[1] for match in between if match} - {":", ""}
@@ -322,7 +350,12 @@ def _kind(parts: list[str]) -> Kind:
     if is_clean and BEFORE.fullmatch(parts[0]):
         return found
     labels = tuple(map(_label, parts[:-1]))
-    return found._replace(name=WORDED, labels=labels, is_prompted=bool(is_clean), headers=headers_of(parts[-1]))
+    return _with_headers(found._replace(name=WORDED, labels=labels, is_prompted=bool(is_clean)), parts[-1])
+
+
+def _with_headers(kind: Kind, words: str) -> Kind:
+    headers = headers_of(words)
+    return kind._replace(headers=headers, named=max((len(roles_of(header)) for header in headers), default=0))
 
 
 def _label(words: str) -> str:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import unicodedata
+from functools import lru_cache
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -48,6 +49,7 @@ def roles_of(header: Sequence[str]) -> dict[str, int]:
     return places
 
 
+@lru_cache(maxsize=4096)
 def role_of(word: str) -> str:
     """What a word names: one of ROLES, "x", "y", "other" for quantities that are none of these, and "" for unknown words."""
     decomposed = unicodedata.normalize("NFD", word.lower()[:60])
@@ -80,11 +82,11 @@ STRONG = re.compile(r"\t+|[;|&,]|\s{2,}")
 # What follows the last of these is no longer a question for the user.
 PROMPT = re.compile(
     r"[:?>=](?=\s|\w|$)|\b(?:introduzca|introduce|introducir|datos|data|enter|input|dame|escribe|tabla|table|resultados|"
-    r"results|columnas|columns|valores|values|inicial|iniciales|initial|unidades|units|y|and|de|del|el|la|los|las|the|of)\b",
+    r"results|columnas|columns|valores|values|inicial|iniciales|initial|unidades|units|y(?=\s+(?:la|el|los|las|velocidad|angulo|ángulo)\b)|and|de|del|el|la|los|las|the|of)\b",
     re.IGNORECASE,
 )
 PAIRED_QUOTES = re.compile(r"^([\"'])(.*)\1$")
-LONGEST_HEADER = 600  # letters
+LONGEST_HEADER = 400  # letters
 
 
 def headers_of(line: str) -> tuple[tuple[str, ...], ...]:
@@ -96,7 +98,7 @@ def headers_of(line: str) -> tuple[tuple[str, ...], ...]:
     for part in (text, _after_prompt(text)):
         for words in (STRONG.split(part), _weakly_split(part)):
             header = tuple(PAIRED_QUOTES.sub(r"\2", word.strip()) for word in words if word.strip())
-            if len(roles_of(header)) >= 2 and header not in found:
+            if _is_known(header) and header not in found:
                 found.append(header)
     return tuple(found) if _is_header(text) else ()
 
@@ -108,7 +110,11 @@ def _after_prompt(text: str) -> str:
 
 def _is_header(text: str) -> bool:
     """Whether two quantities are named after what is asked of the user; a line that asks for them names none."""
-    return len(roles_of(_weakly_split(_after_prompt(text)))) >= 2
+    return _is_known(_weakly_split(_after_prompt(text)))
+
+
+def _is_known(words: Sequence[str]) -> bool:
+    return len({role_of(word) for word in words} - {"", "other"}) >= 2
 
 
 def _weakly_split(text: str) -> list[str]:

@@ -34,6 +34,8 @@ BOTH_IN_DEGREES = "0.0005 0.02 1 -60 s 30 s 2"
 NEAR = "0.0001 0.02 1 0 r 1.99 r 1"
 COARSE = "0.01 0.02 1 0.5 r -0.4 r 2.5"
 WIDE = "0.0005 0.02 1 1 r 2 r 9.81"
+UPRIGHT = "0.0005 0.02 1 180 s 1 r 1"
+UPRIGHT_BACKWARDS = "0.0005 0.02 1 -180 s -1 r 1"
 TURNED = "0.0005 0.02 1 7 r -0.4 r 2.5"
 TURNED_IN_DEGREES = "0.0005 0.02 1 -400 s 30 s 2"
 ROTATION = "0.0001 0.02 1 0 r 2.01 r 1"
@@ -92,7 +94,7 @@ ELSEWHERE = {
     "theta0_in_degrees": (DEGREES, QUARTER),
     "theta0_in_degrees+euler": (DEGREES, QUARTER),
     "verlet": (START, COARSE),
-    "wraps_closed_above": (ROTATION, SEPARATRIX),
+    "wraps_closed_above": (UPRIGHT, UPRIGHT_BACKWARDS),
     "wraps_fmod": (ROTATION, BACKWARDS),
     "wraps_fmod-shifted": (ROTATION, BACKWARDS),
     "wraps_one_side": (ROTATION, BACKWARDS),
@@ -156,7 +158,7 @@ def is_the_right_table(known: Truth, data: bytes) -> bool:
         if len(columns) != len(known.columns) or columns[0].values.shape != known.columns[0].shape:
             return False
         off = [column.values - right for column, right in zip(columns, known.columns, strict=True)]
-        off[1] = _core.wrap(off[1])  # π is −π
+        off[1][1:] = _core.wrap(off[1][1:])  # from the first step on, rounding decides which of π and −π an angle is
         is_wrapped = bool(np.all(np.abs(columns[1].values) <= np.pi + columns[1].units))
         return is_wrapped and all(
             bool(np.all(np.abs(difference) <= column.units + doubt))

@@ -78,7 +78,9 @@ def findings_in(report: Any) -> Iterator[dict[str, Any]]:
 
 
 def names(judgement: Judgement) -> Told:
-    errors, remarks, options = set(), set(), []
+    errors: set[str] = set()
+    remarks: set[str] = set()
+    options = []
     for finding in judgement.findings:
         name = finding.name.replace(" ", "_")
         (errors if finding.severity == "error" else remarks).add(name)

@@ -71,6 +71,7 @@ ELSEWHERE = {
     "both_as_degrees": (START, COARSE),
     "both_degrees_inverted": (DEGREES, BOTH_IN_DEGREES),
     "both_in_degrees": (DEGREES, BOTH_IN_DEGREES),
+    "early_end": (DEGREES, BACKWARDS),
     "euler_cromer+not_normalised": (TURNS, BACKWARDS),
     "heun": (START, ROTATION),
     "length_in_force": (START, QUARTER),

@@ -22,8 +22,34 @@ SEEDS = [
 ]
 PIECES = [
     *(bytes([byte]) for byte in b"0123456789.,;:|&\\+-eEdD \t\r\n\"'()[]{}#%/*=_tw\0\x1a\x1b\xff\x85"),
-    *(b"nan", b"inf", b"****", b"1e999", b"1e-999", b"1e99999999", b"\\\\", b"\r\n", b"\n\n", b"{,}", b"...", b"1.#IND", b"0x1p3"),
-    *(word.encode() for word in ("−", "\N{NO-BREAK SPACE}", "θ̇", "٣", "𝟏", "\u2028", "t angulo velocidad\n", "np.float64(")),
+    *(
+        b"nan",
+        b"inf",
+        b"****",
+        b"1e999",
+        b"1e-999",
+        b"1e99999999",
+        b"\\\\",
+        b"\r\n",
+        b"\n\n",
+        b"{,}",
+        b"...",
+        b"1.#IND",
+        b"0x1p3",
+    ),
+    *(
+        word.encode()
+        for word in (
+            "−",
+            "\N{NO-BREAK SPACE}",
+            "θ̇",
+            "٣",
+            "\N{MATHEMATICAL BOLD DIGIT ONE}",
+            "\u2028",
+            "t angulo velocidad\n",
+            "np.float64(",
+        )
+    ),
     *(b"theta", b"velocidad angular", b"Introduce datos: ", b"t=", b" rad", b"energia", b"9" * 400, b"1 " * 70),
 ]
 
@@ -34,7 +60,9 @@ def damaged(random_: random.Random) -> bytes:
     for _ in range(random_.randint(0, 12)):
         start, stop = sorted(random_.randint(0, len(data)) for _ in range(2))
         stop = min(stop, start + random_.choice([1, 4, 40, 400]))
-        piece = random_.choice([b"", data[start:stop] * 2, random_.choice(PIECES), random_.choice(PIECES), random_.choice(SEEDS)])
+        piece = random_.choice(
+            [b"", data[start:stop] * 2, random_.choice(PIECES), random_.choice(PIECES), random_.choice(SEEDS)]
+        )
         data = data[:start] + piece + data[stop:]
     return data[:5000]
 

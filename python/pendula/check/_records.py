@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import math
 from collections import Counter
-from itertools import islice, pairwise
-from math import isnan
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
-from pendula.check._text import MOST_TABLES, ROW, TEXT, Line, Lines, UnreadableError
+from pendula.check._lines import ROW, TEXT, Line, Lines
+from pendula.check._text import MOST_TABLES, UnreadableError
 from pendula.check._words import roles_of
 
 if TYPE_CHECKING:
@@ -100,13 +101,13 @@ def time_of(line: Line, place: int) -> float:
 # Rows that are folded over several lines.
 
 LONGEST_FOLD = 4  # lines
-LONGEST_PREAMBLE = 8
-JUDGED_BY = 200  # lines
+FEWEST_FOLDS = 3
+LOOKS = 10  # at each line, on the average
 
 
 def _unfold(run: Run) -> None:
     sizes = [line.size for line in run.rows]
-    if len(sizes) < 2:
+    if not sizes or min(sizes) == max(sizes) > 2:
         return
     widths = {len(header) for header in run.headers if len(header) >= 3}
     if Counter(sizes).most_common(1)[0][0] in widths:
@@ -114,17 +115,11 @@ def _unfold(run: Run) -> None:
     for width in sorted(widths):
         ends = _ends_by_width(sizes, width)
         if ends:
-            _join(run, [0, *ends])
+            parts = [run.rows[start:stop] for start, stop in pairwise([0, *ends])]
+            run.rows = [*map(_joined, parts), *run.rows[ends[-1] :]]
+            run.is_folded = True
             return
-    for first in range(min(LONGEST_PREAMBLE, len(sizes))):
-        for lines in range(2, LONGEST_FOLD + 1):
-            if _is_periodic(sizes[first:], lines) and _rises_only_each(run.rows[first : first + JUDGED_BY], lines):
-                run.others += run.rows[:first]
-                del run.rows[:first]
-                _join(run, list(range(0, len(run.rows) + 1, lines)))
-                return
-        if sizes[first] > 1:  # a preamble has one number in a line
-            return
+    _unfold_periods(run, sizes)
 
 
 def _ends_by_width(sizes: Sequence[int], width: int) -> list[int]:
@@ -142,14 +137,36 @@ def _ends_by_width(sizes: Sequence[int], width: int) -> list[int]:
     return ends
 
 
-def _is_periodic(sizes: Sequence[int], lines: int) -> bool:
-    first = sizes[:lines]
-    is_uneven = len(set(first)) > 1 or max(first) <= 2
-    return is_uneven and sum(first) >= 3 and len(sizes) >= 2 * lines and _repeats(sizes, lines)
+def _unfold_periods(run: Run, sizes: Sequence[int]) -> None:
+    """Joins lines whose numbers of numbers repeat, and whose first number grows from row to row and not from line to line."""
+    rows: list[Line] = []
+    place, looks = 0, 0
+    while place < len(sizes):
+        lines, stop = 1, place + 1
+        for folds in range(2, LONGEST_FOLD + 1):
+            end = _end_of_period(sizes, place, folds) if looks < LOOKS * len(sizes) else place
+            looks += end - place
+            if end - place >= FEWEST_FOLDS * folds and _rises_only_each(run.rows[place:end], folds):
+                lines, stop = folds, end
+                break
+        if lines == 1:
+            rows.append(run.rows[place])
+        else:
+            rows += [_joined(run.rows[start : start + lines]) for start in range(place, stop, lines)]
+            run.is_folded = True
+        place = stop
+    run.rows = rows
 
 
-def _repeats(sizes: Sequence[int], lines: int) -> bool:
-    return all(one == other for one, other in zip(sizes, islice(sizes, lines, None), strict=False))
+def _end_of_period(sizes: Sequence[int], start: int, lines: int) -> int:
+    """Where numbers of numbers no longer repeat after so many lines."""
+    pattern = sizes[start : start + lines]
+    if sum(pattern) < 3 or (min(pattern) == max(pattern) > 2):
+        return start
+    end = start
+    while sizes[end : end + lines] == pattern:
+        end += lines
+    return end
 
 
 def _rises_only_each(rows: Sequence[Line], lines: int) -> bool:
@@ -160,14 +177,9 @@ def _rises_only_each(rows: Sequence[Line], lines: int) -> bool:
     return sum(rises) > 0.8 * len(rises) and 10 * falls > len(first)
 
 
-def _join(run: Run, ends: Sequence[int]) -> None:
-    rows = [run.rows[start:stop] for start, stop in pairwise(ends)]
-    rows += [[line] for line in run.rows[ends[-1] :]]
-    run.rows = [
-        Line(parts[0].place, " ".join(part.numbers for part in parts), sum(part.size for part in parts), parts[0].kind)
-        for parts in rows
-    ]
-    run.is_folded = True
+def _joined(parts: Sequence[Line]) -> Line:
+    numbers = " ".join(part.numbers for part in parts)
+    return Line(parts[0].place, numbers, sum(part.size for part in parts), parts[0].kind)
 
 
 # Commas that are decimal and separate numbers, too.
@@ -190,24 +202,42 @@ def _pair_commas(run: Run) -> None:
         if line.size == most:
             digits = (len(whole.lstrip("+-")) for whole in line.numbers.split()[::2])
             limits = list(map(max, limits, digits))
-    lost, tried, rows = 0, 0, []
-    for line in run.rows:
-        fields = line.numbers.split()
-        found = []
-        if line.kind.is_bare and width <= line.size <= most:
-            tried += line.size < most
-            if line.size == most and all(field[0].isdigit() for field in fields[1::2]):
-                found = [list(map(".".join, zip(fields[::2], fields[1::2], strict=True)))]
-            elif tried <= MOST_PAIRINGS:
-                found = list(islice(_pairings(fields, limits), 2))
-        if len(found) == 1:
-            rows.append(line._replace(numbers=" ".join(found[0]), size=width))
-        else:
-            rows.append(line._replace(numbers="nan nan", size=2))
-            lost += 1
+    paired = [_in_pairs(line.numbers.split()) if line.kind.is_bare and line.size == most else "" for line in run.rows]
+    tried = 0
+    for place, line in enumerate(run.rows):
+        if not paired[place] and line.kind.is_bare and width <= line.size < most and tried < MOST_PAIRINGS:
+            tried += 1
+            rows = [" ".join(row) for row in _pairings(line.numbers.split(), limits)]
+            paired[place] = _likeliest(rows, [row for row in paired[max(0, place - 2) : place + 3] if row])
+    lost = paired.count("") - len(run.rows) + len(bare)
     run.commas = bare[0].place, lost
-    if 2 * lost < len(rows):
-        run.rows = rows
+    if 2 * lost < len(paired):
+        run.rows = [
+            line._replace(numbers=numbers or "nan nan", size=width if numbers else 2) if line.kind.is_bare else line
+            for line, numbers in zip(run.rows, paired, strict=True)
+        ]
+
+
+def _in_pairs(fields: Sequence[str]) -> str:
+    """The numbers of fields that are all whole and fraction in turn; "" for others."""
+    wholes, fractions = fields[::2], fields[1::2]
+    if all(whole.lstrip("+-").isdigit() for whole in wholes) and all(fraction[0].isdigit() for fraction in fractions):
+        return " ".join(map(".".join, zip(wholes, fractions, strict=True)))
+    return ""
+
+
+def _likeliest(rows: Sequence[str], neighbours: Sequence[str]) -> str:
+    """The only row, or else the one that is much nearer to one of its neighbours than the others; "" if there is none."""
+    if len(rows) < 2 or not neighbours:
+        return rows[0] if len(rows) == 1 else ""
+    near = [list(map(float, row.split())) for row in neighbours]
+
+    def off(row: str) -> float:
+        numbers = list(map(float, row.split()))
+        return min(math.dist(numbers, other) for other in near)
+
+    first, second = sorted(rows, key=off)[:2]
+    return first if 2 * off(first) < off(second) else ""
 
 
 def _pairings(fields: Sequence[str], limits: Sequence[int]) -> Iterator[list[str]]:
@@ -216,11 +246,12 @@ def _pairings(fields: Sequence[str], limits: Sequence[int]) -> Iterator[list[str
         yield []
         return
     first, others = fields[0], len(limits) - 1
-    if len(first.lstrip("+-").partition("e")[0]) > limits[0]:
+    is_whole = first.lstrip("+-").isdigit()
+    if is_whole and len(first.lstrip("+-")) > limits[0]:
         return
     if others <= len(fields) - 1 <= 2 * others:
         yield from ([first, *rest] for rest in _pairings(fields[1:], limits[1:]))
-    if others <= len(fields) - 2 <= 2 * others and first[-1].isdigit() and "e" not in first and fields[1][0].isdigit():
+    if is_whole and others <= len(fields) - 2 <= 2 * others and fields[1][0].isdigit():
         yield from ([f"{first}.{fields[1]}", *rest] for rest in _pairings(fields[2:], limits[1:]))
 
 
@@ -231,7 +262,7 @@ def starts_of(times: Sequence[float], breaks: set[int]) -> list[int]:
     """The rows at which time begins anew; a single time that is wrong among right ones is no beginning."""
     known: list[float] = []
     for time in times:
-        known.append(known[-1] if isnan(time) and known else time)
+        known.append(known[-1] if math.isnan(time) and known else time)
     steps = enumerate(pairwise(known), start=1)
     falls = [row for row, (one, other) in steps if other < one or (row in breaks and other == one)]
     if 2 * len(falls) > len(known):

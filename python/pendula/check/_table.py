@@ -11,15 +11,16 @@ from typing import TYPE_CHECKING, NamedTuple, TypeAlias
 import numpy as np
 
 from pendula.check._digits import Floats, Integers, cells_of, units_of
-from pendula.check._records import JUDGED_BY, Run, runs_of, starts_of, time_of
-from pendula.check._text import MOST_TABLES, PLAIN, ROW, UNREADABLE, UnreadableError, contents, decoded, opened, unmarked_utf16
+from pendula.check._lines import PLAIN, ROW
+from pendula.check._records import Run, runs_of, starts_of, time_of
+from pendula.check._text import MOST_TABLES, UNREADABLE, UnreadableError, contents, decoded, opened, unmarked_utf16
 from pendula.check._words import ROLES, STATE, WORDS, fitting, role_of, roles_of
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
     from pendula.check._findings import Value
-    from pendula.check._text import Line
+    from pendula.check._lines import Line
 
 __all__ = [
     "ROLES",
@@ -89,6 +90,7 @@ def tables(text: str) -> list[Table]:
 
 # The tables of a run of lines.
 
+JUDGED_BY = 200  # rows
 PLACE = attrgetter("place")
 SHORT = 3  # rows; fewer may be numbers that a program prints before its table
 
@@ -179,11 +181,15 @@ def _table(run: Run, rows: list[Line], others: list[Line], is_first: bool) -> Ta
 
 def _is_damaged(line: Line, rows: Sequence[Line], width: int, header: Sequence[Line]) -> bool:
     """Whether a line was to be a row."""
-    if line.size == 0:
+    first, last = rows[0].place, rows[-1].place
+    is_inside = first < line.place < last
+    if line.kind.name == ROW:
+        return is_inside and line.size > 0
+    if line.size == 0 or line.kind.fields != width:
         return False
-    if rows[0].place < line.place < rows[-1].place:
-        return line.kind.name == ROW or (line.kind.fields == width and 2 * line.size >= width)
-    return bool(header) and header[0].place < line.place and line.kind.fields == width and line.size >= width - 1 >= 2
+    if line.size >= width - 1 >= 2 and (line.kind.is_led or line.size < width):
+        return is_inside or line.place in (first - 1, last + 1) or (len(header) > 0 and header[0].place < line.place)
+    return is_inside and line.kind.is_led and 2 * line.size >= width
 
 
 def _has_prompt(headers: Sequence[tuple[str, ...]], header: tuple[str, ...]) -> bool:

@@ -34,10 +34,13 @@ BOTH_IN_DEGREES = "0.0005 0.02 1 -60 s 30 s 2"
 NEAR = "0.0001 0.02 1 0 r 1.99 r 1"
 COARSE = "0.01 0.02 1 0.5 r -0.4 r 2.5"
 WIDE = "0.0005 0.02 1 1 r 2 r 9.81"
+UPRIGHT = "0.0005 0.02 1 180 s 1 r 1"
+UPRIGHT_BACKWARDS = "0.0005 0.02 1 -180 s -1 r 1"
 TURNED = "0.0005 0.02 1 7 r -0.4 r 2.5"
 TURNED_IN_DEGREES = "0.0005 0.02 1 -400 s 30 s 2"
 ROTATION = "0.0001 0.02 1 0 r 2.01 r 1"
-BACKWARDS = "0.0002 0.02 2 1 r -4 r 1"
+TURNS = "0.0002 0.02 3 0 r 2.01 r 1"
+BACKWARDS = "0.0002 0.02 3 1 r -4 r 1"
 SOFT = "0.0005 0.02 1 0 r 1.2 r 0.25"
 SEPARATRIX = "0.0001 0.02 1 0 r -2 r 1"
 STIFF_SEPARATRIX = "0.0002 0.02 1 0 r 4 r 4"
@@ -65,22 +68,25 @@ OF_TEXT = {
 ELSEWHERE = {
     "alpha_gravity": (START, QUARTER),
     "alpha_product": (START, QUARTER),
-    "both_as_degrees": (START, NEAR),
+    "both_as_degrees": (START, COARSE),
     "both_degrees_inverted": (DEGREES, BOTH_IN_DEGREES),
     "both_in_degrees": (DEGREES, BOTH_IN_DEGREES),
-    "euler_cromer+not_normalised": (ROTATION, BACKWARDS),
+    "early_end": (DEGREES, BACKWARDS),
+    "euler_cromer+not_normalised": (TURNS, BACKWARDS),
     "heun": (START, ROTATION),
+    "length_in_force": (START, QUARTER),
     "limit_099": (SEPARATRIX, STIFF_SEPARATRIX),
     "limit_not_0999": (SEPARATRIX, STIFF_SEPARATRIX),
     "logarithm_base_10": (SEPARATRIX, STIFF_SEPARATRIX),
     "midpoint": (START, ROTATION),
     "not_judged": (LONG_SEPARATRIX,),
-    "not_normalised": (ROTATION, BACKWARDS),
+    "not_normalised": (TURNS, BACKWARDS),
     "omega0_as_degrees": (START, SEPARATRIX),
     "omega0_degrees_inverted": (DEGREES, BOTH_IN_DEGREES),
     "omega0_in_degrees": (DEGREES, BOTH_IN_DEGREES),
     "omega_normalised": (WIDE, BACKWARDS),
     "period_doubled": (ROTATION, BACKWARDS),
+    "period_small": (ROTATION, BACKWARDS),
     "regime": (ROTATION, NEAR),
     "regime-no_alpha": (WIDE, SOFT),
     "rough_pi": (DEGREES, QUARTER),
@@ -92,12 +98,12 @@ ELSEWHERE = {
     "theta0_in_degrees": (DEGREES, QUARTER),
     "theta0_in_degrees+euler": (DEGREES, QUARTER),
     "verlet": (START, COARSE),
-    "wraps_closed_above": (ROTATION, SEPARATRIX),
-    "wraps_fmod": (ROTATION, BACKWARDS),
-    "wraps_fmod-shifted": (ROTATION, BACKWARDS),
-    "wraps_one_side": (ROTATION, BACKWARDS),
-    "wraps_one_side-above": (ROTATION, BACKWARDS),
-    "wraps_zero_to_two_pi": (START, ROTATION),
+    "wraps_closed_above": (UPRIGHT, UPRIGHT_BACKWARDS),
+    "wraps_fmod": (TURNS, BACKWARDS),
+    "wraps_fmod-shifted": (TURNS, BACKWARDS),
+    "wraps_one_side": (TURNS, BACKWARDS),
+    "wraps_one_side-above": (TURNS, BACKWARDS),
+    "wraps_zero_to_two_pi": (START, TURNS),
 }
 
 
@@ -145,7 +151,8 @@ def mark_of(wanted: set[str], found: Told) -> str:
 
 
 def in_words(found: Told) -> str:
-    return ", ".join(sorted(" or ".join(sorted(option)) for option in found.options)) or "right"
+    errors = ", ".join(sorted(" or ".join(sorted(option)) for option in found.options)) or "right"
+    return errors + (f" (remarks: {', '.join(sorted(found.remarks))})" if found.remarks else "")
 
 
 def is_the_right_table(known: Truth, data: bytes) -> bool:
@@ -156,7 +163,7 @@ def is_the_right_table(known: Truth, data: bytes) -> bool:
         if len(columns) != len(known.columns) or columns[0].values.shape != known.columns[0].shape:
             return False
         off = [column.values - right for column, right in zip(columns, known.columns, strict=True)]
-        off[1] = _core.wrap(off[1])  # π is −π
+        off[1][1:] = _core.wrap(off[1][1:])  # from the first step on, rounding decides which of π and −π an angle is
         is_wrapped = bool(np.all(np.abs(columns[1].values) <= np.pi + columns[1].units))
         return is_wrapped and all(
             bool(np.all(np.abs(difference) <= column.units + doubt))

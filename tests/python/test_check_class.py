@@ -19,7 +19,6 @@ from conftest import PROGRAM
 from pendula.check import _main
 from pendula.check._class import Task, mark_file
 from pendula.check._page import page_names
-from pendula.check._seam import problems
 
 PROBLEMS = "0.001 0.02 1 90 s 0 r 1\n0.001 0.02 1 0 r 2.1 r 1\n"
 CLEAN = {name: value for name, value in os.environ.items() if name not in ("LC_ALL", "LC_MESSAGES", "LANG")}
@@ -282,7 +281,7 @@ def test_a_report_may_be_written_again_but_never_over_what_is_foreign(tmp_path):
 
 
 def test_a_picture_does_not_depend_on_the_one_before():
-    task = Task(problems("group/problems", "en"), strict=False, draws=True, lang="en")
+    task = Task(_main._problems("group/problems", "en"), strict=False, draws=True, lang="en")
     alone = [mark.picture for mark in mark_file(task, "ana", "group/ana.txt").marks]
     mark_file(task, "berta", "group/berta.txt")
     assert [mark.picture for mark in mark_file(task, "ana", "group/ana.txt").marks] == alone

@@ -16,14 +16,17 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from pendula._command import BAD_DATA, BAD_USAGE, DONE, RefusedError, Text
+from pendula.check._finding import ERROR, Finding
+from pendula.check._judge import judge
+from pendula.check._match import match
 from pendula.check._picture import picture
-from pendula.check._seam import ERROR, Finding, judge, match
 from pendula.check._table import UnreadableError, read_file
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator, Sequence
 
-    from pendula.check._seam import Judgement, Problem
+    from pendula.check._judge import Judgement
+    from pendula.check._program import Problem
     from pendula.check._table import Table
 
 FEW_FILES = 3  # are marked before other processes would have started
@@ -43,7 +46,6 @@ class Fit(NamedTuple):
     right: int
     """Rows that are as they should be."""
     from_exact: float
-    from_rk4: float
 
 
 class Mark(NamedTuple):
@@ -185,13 +187,13 @@ def _marked(task: Task, name: str, path: str) -> Student:
 
 def _mark(task: Task, number: int, problem: Problem, table: Table | None, findings: list[Finding]) -> Mark:
     if table is None:
-        return Mark(number, problem.rows, None, {}, [Finding("table_missing", {})], 0, False)
+        return Mark(number, int(problem.rows), None, {}, [Finding("table_missing", {})], 0, False)
     judgement: Judgement = judge(problem, table)
-    fits = {role: Fit(off.right, off.from_exact, off.from_rk4) for role, off in judgement.deviations.items()}
+    fits = {role: Fit(off.right, off.from_exact) for role, off in judgement.deviations.items()}
     findings = [*findings, *judgement.findings]
     is_right = all(finding.severity != ERROR and not task.strict for finding in findings)
     drawn = picture(problem, judgement, task.lang) if task.draws else ""
-    return Mark(number, problem.rows, len(table.values), fits, findings, judgement.digits, is_right, drawn)
+    return Mark(number, int(problem.rows), len(table.values), fits, findings, judgement.digits, is_right, drawn)
 
 
 def mark_all(task: Task, entries: Sequence[tuple[str, str]]) -> list[Student]:

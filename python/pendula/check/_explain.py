@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from pendula import _core
-from pendula._closed_form import exact
 from pendula.check._mistakes import (
     ALPHAS,
     BOTH_IN_DEGREES,
@@ -21,7 +20,7 @@ from pendula.check._mistakes import (
     STEPPERS,
     Mistake,
 )
-from pendula.check._program import RIGHT, Clock, Motion, Problem, Program, Start, analysis, replay, taken
+from pendula.check._program import RIGHT, Clock, Motion, Problem, Program, Start, analysis, closed_form, replay, taken
 from pendula.check._timing import Timing, timings
 
 if TYPE_CHECKING:
@@ -138,7 +137,7 @@ def right_prediction(problem: Problem, timing: Timing, start: Start) -> Predicti
     """
     clock = timing.clock
     t = clock.steps * clock.dt
-    theta, omega = exact(start.theta0, start.omega0, t, alpha=start.alpha)
+    theta, omega = closed_form(start, t)
     if clock.steps.max(initial=0) <= MOST_WORK:
         by_rk4 = predictions([Candidate(RIGHT, Reading(start), timing, ())], problem)[0]
     else:
@@ -154,7 +153,7 @@ def _by_closed_form(start: Start, clock: Clock) -> Prediction:
     t = clock.steps * clock.dt
     moved = start._replace(theta0=start.theta0 * (1 + ROUNDING), omega0=start.omega0 * (1 + ROUNDING))
     three = ((start, t), (moved, t), (start, t * (1 + clock.doubt)))
-    motions = [exact(each.theta0, each.omega0, times, alpha=each.alpha) for each, times in three]
+    motions = [closed_form(each, times) for each, times in three]
     theta, omega = (np.array([motion[i] for motion in motions]) for i in (0, 1))
     return _prediction(Motion(theta, omega), clock.unsure, start.alpha)
 
@@ -374,7 +373,7 @@ def in_single_precision(problem: Problem, timing: Timing, columns: Columns) -> b
         return False
     start = taken(RIGHT, problem)
     rounded = replay([SINGLE.of(RIGHT)], problem, [clock])
-    theta, omega = exact(start.theta0, start.omega0, clock.steps * clock.dt, alpha=start.alpha)
+    theta, omega = closed_form(start, clock.steps * clock.dt)
     single = float(np.finfo(np.float32).eps)
     slacks = [
         3 * np.maximum.accumulate(np.abs(each)) + 4 * single

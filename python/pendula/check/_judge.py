@@ -20,7 +20,7 @@ from pendula.check._explain import (
     wrap,
     wrong_locally,
 )
-from pendula.check._finding import ERROR, Finding, Where, error, remark
+from pendula.check._finding import ERROR, REMARK, Finding, Value, Where, error, remark
 from pendula.check._fit import fitted
 from pendula.check._program import RIGHT, Problem, Start, taken
 from pendula.check._sinusoid import UNKNOWN, angle, right_sinusoid, wrong_sinusoids
@@ -103,8 +103,9 @@ def judge(problem: Problem, table: Table) -> Judgement:
         table = _without_first(table)
         found = [(name, _without_first_row(columns)) for name, columns in found if columns.lines.size > 2]
     views = [(name, _view(problem, table, columns)) for name, columns in found]
-    name, view = next((each for each in views if _is_right(each[1])), views[0])
-    if not _is_right(view):
+    right = [each for each in views if _is_right(each[1])]
+    name, view = next((each for each in right if not _of_states(problem, each[1])), right[0] if right else views[0])
+    if not right:
         for each in views[1:MOST_WRONG]:
             if explanations(problem, each[1].columns, each[1].places, 1):
                 name, view = each
@@ -136,7 +137,7 @@ def _without_first_row(columns: Columns) -> Columns:
 
 def _of_header(problem: Problem, table: Table) -> list[Finding]:
     """Remarks on the header; nothing is wrong with a table that lacks one."""
-    findings = [Finding(name, values, *_severity(name)) for name, values in getattr(table, "notes", ())]
+    findings = [Finding(name, values, _severity(name, values)) for name, values in table.notes]
     has_sine = "sine" in roles_of(table.header) if table.header else problem.regime == -1
     words = WORDS if has_sine else WORDS[:3]
     if not table.header:
@@ -146,8 +147,9 @@ def _of_header(problem: Problem, table: Table) -> list[Finding]:
     return findings
 
 
-def _severity(name: str) -> tuple[str]:
-    return (ERROR,) if name in ("comma_ambiguous", "no_time", "cartesian") else ("remark",)
+def _severity(name: str, values: dict[str, Value]) -> str:
+    """A comma that is decimal and separator is a remark where all rows could be read."""
+    return ERROR if name in ("no_time", "cartesian") or (name == "comma_ambiguous" and values["count"]) else REMARK
 
 
 def _of_rows(table: Table, columns: Columns) -> list[Finding]:

@@ -5,13 +5,14 @@ from __future__ import annotations
 from importlib.util import find_spec
 from pathlib import Path
 
-from pendula._command import BAD_USAGE, DONE, NO_MATPLOTLIB, TEXTS, Command, Option, RefusedError, Text, run, write
+from pendula._command import BAD_DATA, BAD_USAGE, DONE, NO_MATPLOTLIB, TEXTS, Command, Option, RefusedError, Text, run, write
 from pendula.check import _pages
 from pendula.check import _report as report
 from pendula.check._class import Task, files, mark_all
 from pendula.check._page import prepare, require_summary, write_file, write_pages
+from pendula.check._program import Problem, problems
 from pendula.check._scale import read_scale
-from pendula.check._seam import problems
+from pendula.check._table import UnreadableError, opened
 
 CHECK = Command(
     "pendula check",
@@ -112,7 +113,7 @@ def _mark(given: dict[str, str], words: list[str], lang: str) -> int:
     if summary is not None:
         require_summary(summary, report.as_csv([], terms))
     entries, is_class = files(words, [given[name] for name in ("--input", "--scale", "--summary") if name in given])
-    task = Task(problems(given["--input"], lang), terms.strict, folder is not None, lang)
+    task = Task(_problems(given["--input"], lang), terms.strict, folder is not None, lang)
     if folder is not None:
         if find_spec("matplotlib") is None:
             raise RefusedError(BAD_USAGE, NO_MATPLOTLIB)
@@ -134,3 +135,13 @@ def _mark(given: dict[str, str], words: list[str], lang: str) -> int:
         _, text, values = students[0].unreadable
         raise RefusedError(BAD_USAGE, text, *values)
     return report.status(students)
+
+
+def _problems(path: str, lang: str) -> list[Problem]:
+    with opened(path) as file:
+        try:
+            return problems(file, lang)
+        except RefusedError as refused:
+            if refused.status != BAD_DATA:  # nothing that the problems are to blame for
+                raise
+            raise UnreadableError("no problems", path) from None  # the program has said why

@@ -12,15 +12,15 @@ from typing import TYPE_CHECKING
 
 from pendula._command import BAD_USAGE, NOT_WRITTEN, RefusedError, Text, say
 from pendula.check import _pages
+from pendula.check._finding import ERROR
 from pendula.check._report import column_lines, count_line, finding_lines, reason, titles
-from pendula.check._seam import ERROR
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
 
     from pendula.check._class import Mark, Student
+    from pendula.check._finding import Finding
     from pendula.check._report import Terms
-    from pendula.check._seam import Finding
 
 TEXTS: dict[str, Text] = {
     "foreign": (

@@ -18,8 +18,8 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from matplotlib.lines import Line2D
 
-    from pendula.check._seam import Judgement, Problem
-    from pendula.check._table import Floats, Integers
+    from pendula.check._judge import Judgement
+    from pendula.check._program import Floats, Integers, Problem
 
 MOST_MARKS = 250  # beyond, circles would hide each other
 MOST_POINTS = 2000  # of a table; more are no finer on a page

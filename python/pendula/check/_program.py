@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, BinaryIO, NamedTuple, TypeAlias
 import numpy as np
 
 from pendula import _core
-from pendula._closed_form import analyze
+from pendula._closed_form import analyze, exact
 from pendula._command import BAD_USAGE, RefusedError, Text, printed
 
 if TYPE_CHECKING:
@@ -236,7 +236,14 @@ def limit_time(start: Start, fraction: float) -> float:
 
 
 def period(name: str, start: Start) -> float | None:
-    """The characteristic time of a program with this mistake; None where it does not matter in this regime."""
+    """The characteristic time of a program with this mistake; None where there is none, or it does not matter in this regime."""
+    try:
+        return _period(name, start)
+    except (ValueError, ArithmeticError):  # no number is its logarithm, or its size
+        return None
+
+
+def _period(name: str, start: Start) -> float | None:
     regime, _, tau = analysis(start)
     match name, regime:
         case "right", _:
@@ -266,6 +273,17 @@ PERIODS = ("right", "doubled", "halved", "first term", "small", "log10", "0.99",
 
 
 # Motion.
+
+LATEST = 1e9  # periods; no table's digits tell the phase of a later time
+
+
+def closed_form(start: Start, t: Floats) -> tuple[Floats, Floats]:
+    """(theta, omega) of the frictionless pendulum; the angle counts whole turns. A row that claims to be later than LATEST is wrong
+    by its time, whatever its state.
+    """
+    latest = LATEST * analysis(start)[2]
+    theta, omega = exact(start.theta0, start.omega0, np.clip(t, -latest, latest), alpha=start.alpha)
+    return np.asarray(theta), np.asarray(omega)
 
 
 class Clock(NamedTuple):

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, NamedTuple, TypeAlias
 
 from pendula._command import DONE, say
 from pendula.check import _pages
-from pendula.check._seam import ERROR
+from pendula.check._finding import ERROR
 from pendula.check._table import ROLES, WORDS
 
 if TYPE_CHECKING:
@@ -18,8 +18,8 @@ if TYPE_CHECKING:
 
     from pendula._command import Text
     from pendula.check._class import Mark, Student
+    from pendula.check._finding import Finding, Where
     from pendula.check._scale import Scale
-    from pendula.check._seam import Finding, Where
 
 Json: TypeAlias = "Mapping[str, Json] | Sequence[Json] | float | str | None"
 
@@ -34,8 +34,8 @@ TEXTS: dict[str, Text] = {
     "unreadable": ("unreadable", "ilegible"),
     "rows": ("{0} rows of {1}", "{0} filas de {1}"),
     "column": (
-        "{0}: {1} of {2} rows right; at most {3:.1e} from the closed form, {4:.1e} from Runge-Kutta",
-        "{0}: {1} de {2} filas bien; como mucho a {3:.1e} de la solución exacta y a {4:.1e} de Runge-Kutta",
+        "{0}: {1} of {2} rows right; at most {3:.1e} from what is right",
+        "{0}: {1} de {2} filas bien; como mucho a {3:.1e} de lo correcto",
     ),
     "sine": ("{0}: {1} of {2} rows right", "{0}: {1} de {2} filas bien"),
     "remark": ("remark: ", "nota: "),
@@ -120,7 +120,7 @@ def column_lines(mark: Mark, terms: Terms) -> list[str]:
     lines = [terms.line("rows", mark.found, mark.expected)]
     for role, fit in mark.columns.items():
         name, word = "sine" if role == "sine" else "column", WORDS[ROLES.index(role)]
-        lines.append(terms.line(name, word, fit.right, mark.found, fit.from_exact, fit.from_rk4))
+        lines.append(terms.line(name, word, fit.right, mark.found, fit.from_exact))
     return lines
 
 
@@ -258,12 +258,7 @@ def _mark(student: Student, mark: Mark, terms: Terms) -> Json:
         "points": terms.scale.of_mark(student, mark, terms.strict),
         "rows": {"expected": mark.expected, "found": mark.found or 0},
         "columns": {
-            role: {
-                "right": fit.right,
-                "largest_from_exact": _finite(fit.from_exact),
-                "largest_from_rk4": _finite(fit.from_rk4),
-            }
-            for role, fit in mark.columns.items()
+            role: {"right": fit.right, "largest_from_exact": _finite(fit.from_exact)} for role, fit in mark.columns.items()
         },
         "findings": [_finding(finding, mark.digits, terms) for finding in mark.findings],
     }

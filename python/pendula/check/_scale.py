@@ -7,15 +7,15 @@ import tomllib
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from pendula._command import BAD_USAGE, LANGUAGES, RefusedError, Text
+from pendula.check._finding import ERROR
 from pendula.check._pages import page
-from pendula.check._seam import ERROR
 from pendula.check._table import opened
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
     from pendula.check._class import Mark, Student
-    from pendula.check._seam import Finding
+    from pendula.check._finding import Finding
 
 TEXTS: dict[str, Text] = {
     "not positive": ("{0} must be a positive number, got {1!r}", "{0} debe ser un número positivo, y es {1!r}"),

@@ -8,8 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from pendula import _core
-from pendula._closed_form import exact
-from pendula.check._program import DEGREE, Start, analysis, small_period
+from pendula.check._program import DEGREE, Start, analysis, closed_form, small_period
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
@@ -95,6 +94,5 @@ def _slack(start: Start, t: Floats, tau_doubt: float) -> Floats:
 
 def angle(start: Start, t: Floats) -> Floats:
     """The pendulum's own angle."""
-    theta, _ = exact(start.theta0, start.omega0, t, alpha=start.alpha)
-    wrapped: Floats = _core.wrap(theta)
+    wrapped: Floats = _core.wrap(closed_form(start, t)[0])
     return wrapped

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from pendula.check._table import Columns
     from pendula.check._timing import Timing
 
-LEAST = 1e-4  # relative: a factor of α nearer to 1 is no mistake that a person makes
+LEAST = 1e-4  # relative to the pendulum's own: a smaller term is no mistake that a person makes
 LARGEST_STRETCH = 1e-3  # relative: the times show a period that is farther off
 ROUNDS = 12  # of Gauss and Newton's method
 MOST_STEPS = 1 << 20
@@ -30,8 +30,8 @@ FREQUENCIES = np.arange(0.05, 3.0, 0.05)  # of a drive, tried first, in those of
 class Term:
     """A term with numbers of its own."""
 
-    def __init__(self, name: str, names: tuple[str, ...], made: Callable[[Floats], Mistake], guesses: list[list[float]]) -> None:
-        self.name, self.names, self.made, self.guesses = name, names, made, guesses
+    def __init__(self, name: str, made: Callable[[Floats], Mistake], guesses: list[list[float]], nothing: float = 0.0) -> None:
+        self.name, self.made, self.guesses, self.nothing = name, made, guesses, nothing
 
 
 def terms(problem: Problem) -> Iterator[Term]:
@@ -51,10 +51,10 @@ def terms(problem: Problem) -> Iterator[Term]:
         values = {"amplitude": float(x[0]), "frequency": abs(float(x[1]))}
         return Mistake("drive", "equation", {"drive": (float(x[0]), abs(float(x[1])))}, values)
 
-    yield Term("damping", ("beta",), damping, [[0.01 * rate]])
-    yield Term("torque", ("torque",), torque, [[0.01 * problem.alpha]])
-    yield Term("alpha_factor", ("factor",), factor, [[1.01]])
-    yield Term("drive", ("amplitude", "frequency"), drive, [[0.01 * problem.alpha, f * rate] for f in FREQUENCIES])
+    yield Term("damping", damping, [[0.01 * rate]])
+    yield Term("torque", torque, [[0.01 * problem.alpha]])
+    yield Term("alpha_factor", factor, [[1.01]], 1.0)
+    yield Term("drive", drive, [[0.01 * problem.alpha, f * rate] for f in FREQUENCIES])
 
 
 def fitted(problem: Problem, timing: Timing, columns: Columns, places: Floats) -> list[Explanation]:
@@ -128,7 +128,7 @@ def _fit(problem: Problem, timing: Timing, columns: Columns, term: Term, stepper
     fallback = term.made(numbers)
     for each in (mistake, fallback):
         reading = Reading(taken(each.of(RIGHT), problem))
-        if term.name == "alpha_factor" and abs(numbers[0] - 1) < LEAST:
+        if abs(numbers[0] - term.nothing) < LEAST * (term.guesses[0][0] - term.nothing) * 100:
             return None
         candidate = Candidate(each.of(base), reading, timing, (each, *mistakes[1:]))
         prediction = predictions([candidate], problem)[0]

@@ -37,9 +37,12 @@ if TYPE_CHECKING:
     from pendula.check._table import Table
 
 FEW_DIGITS = 5
+CLOSED = 1e-9  # rad: angles nearer to −π are meant to be that
 ROUGH = 2e-3  # relative: what 3.14 for π does to a sinusoid
 MOST_PLACEMENTS = 12
 MOST_WRONG = 4  # placements that a wrong table's columns are tried in
+# Of what is said where columns are taken for others.
+WEIGHTS = {"unexplained": 10, "sine_unexplained": 3, "single_precision": 3, "tau": 3, "times_off": 3, "uneven_rows": 3}
 WRONG_CELLS = 0.05  # of the rows: so few wrong ones among right ones are cells, and no mistake of the program
 
 
@@ -103,24 +106,34 @@ def judge(problem: Problem, table: Table) -> Judgement:
         table = _without_first(table)
         found = [(name, _without_first_row(columns)) for name, columns in found if columns.lines.size > 2]
     views = [(name, _view(problem, table, columns)) for name, columns in found]
-    right = [each for each in views if _is_right(each[1])]
-    name, view = next((each for each in right if not _of_states(problem, each[1])), right[0] if right else views[0])
-    if not right:
-        for each in views[1:MOST_WRONG]:
-            if explanations(problem, each[1].columns, each[1].places, 1):
-                name, view = each
-                break
+    name, view, of_states = _best(problem, views)
     if name:
         findings.append(error(name, header=" ".join(table.header)))
     if is_twice:
         findings.append(error("first_row_twice"))
     findings += _of_rows(table, view.columns)
-    findings += _of_states(problem, view)
+    findings += of_states
     off = _deviations(problem, view)
     if any(finding.name == "cartesian" for finding in findings):
         findings = [finding for finding in findings if finding.name not in ("sine_missing", "sine_unexplained")]
     findings = list({finding.name: finding for finding in reversed(findings)}.values())[::-1]
     return Judgement(findings, off, view.columns, max(view.columns.digits, 3))
+
+
+def _best(problem: Problem, views: Sequence[tuple[str, View]]) -> tuple[str, View, list[Finding]]:
+    """The columns that there is least to say of: right ones, then those of which few cells are wrong, then those explained."""
+    best, least = None, np.inf
+    for place, (name, view) in enumerate(sorted(views, key=lambda each: not _is_right(each[1]))):
+        if place >= MOST_WRONG and not _is_right(view):
+            break
+        findings = _of_states(problem, view)
+        weight = sum(WEIGHTS.get(finding.name, 1) for finding in findings if finding.severity == ERROR) + 0.5 * bool(name)
+        if weight < least:
+            best, least = (name, view, findings), weight
+        if weight == 0:
+            break
+    assert best is not None
+    return best
 
 
 def _without_first(table: Table) -> Table:
@@ -336,7 +349,8 @@ def _of_wrapping(theta: Column, prediction: Prediction, form: str, columns: Colu
         return []
     outside = np.flatnonzero((theta.values > np.pi + theta.units) | (theta.values < -np.pi - theta.units))
     if outside.size == 0:
-        return []
+        closed = np.any((prediction.theta < -np.pi + CLOSED) & (theta.values > 0) & (prediction.theta_slack < CLOSED))
+        return [remark("wraps_closed_above")] if closed else []
     row = int(outside[0])
     wanted = float(wrap(theta.values[row]))
     where = Where(int(columns.lines[row]), float(columns.t.values[row]), WORDS[1], float(columns.theta.values[row]), wanted)
@@ -393,7 +407,8 @@ def _of_sinusoid(problem: Problem, start: Start, timing: Timing, columns: Column
         sine = sine.scaled(1 / factor)  # told with the angle
     for times in (rows, t, columns.t):
         if np.all(sine_fits(right.at, start, times, sine, doubt)):
-            return []
+            outside = np.any(np.abs(sine.values) > np.pi + sine.units)
+            return [error("sine_not_wrapped")] if outside else []
     if is_rough:
         return []  # as inaccurate as the states
     named = []

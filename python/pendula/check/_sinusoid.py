@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from pendula.check._program import Floats
     from pendula.check._table import Column
 
+TINY = 1e-290  # rad: of smaller limit angles the quotients here are no doubles
 EPSILON = float(np.finfo(float).eps)
 UNKNOWN = 1e-7  # relative: how well a program knows its period
 
@@ -85,7 +86,7 @@ def _slack(start: Start, t: Floats, tau_doubt: float) -> Floats:
     """
     _, theta_max, tau = analysis(start)
     theta_max = abs(theta_max)
-    if theta_max == 0:
+    if not theta_max > TINY:
         return np.zeros_like(t)
     delta = min(1.0, 4 * EPSILON / (theta_max * max(math.sin(theta_max), EPSILON)))
     slack: Floats = theta_max * (tau_doubt * (1 + 2 * np.pi * np.abs(t) / tau) + delta + np.sqrt(2 * delta))

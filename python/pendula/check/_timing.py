@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 
 PERIOD = 1e-6  # relative: periods that differ by less are equal (3.9 allows 1e-7, and programs add up steps)
 KNOWN = 1e-7  # relative: how well a right program knows its own period
+ROUGH_PIS = (3.14, 3.1415, 3.1416)
 LARGEST_RATIO = 12  # of whole numbers that a period may be off by, from zeros that were counted
 MOST_STEPS = 2**52
 
@@ -115,6 +116,10 @@ def _numbered(problem: Problem, grid: Grid, dt: float) -> Clock:
 
 def _is_spacing(grid: Grid, t: Column, every: float, dt: float) -> bool:
     """Whether rows are as far apart as that; a program may print each at the end of the step that reaches its time."""
+    ends = np.round(t.values / dt) * dt
+    is_at_end = np.abs(t.values - ends) <= t.units + PERIOD * np.abs(t.values)
+    if np.all(is_at_end & (np.abs(t.values - grid.places * every) <= 1.01 * dt + t.units)):
+        return True
     slack = 1.01 * dt + grid.unit
     off = np.abs(t.values - grid.values).max()
     drift = 2 * grid.unit if off <= 2 * grid.unit else slack
@@ -190,13 +195,18 @@ def _other_spacings(problem: Problem, start: Start, t: Column, grid: Grid) -> It
     if any(finding.name == "uneven_rows" for finding in rows):
         yield Timing(_clock(t, factor_dt * tau, factor * tau, KNOWN), tau, rows)
         return
-    yield Timing(_clock(t, factor_dt * own, grid.every, min(doubt, PERIOD)), own, (off(start, own, doubt, values), *rows))
+    said = off(start, own, doubt, values)
+    sinusoid = own * (math.pi / float(said.values["pi"])) if said.name == "rough_pi" else own
+    yield Timing(_clock(t, factor_dt * own, grid.every, min(doubt, PERIOD)), sinusoid, (said, *rows))
 
 
 def off(start: Start, own: float, doubt: float, values: dict[str, float]) -> Finding:
     """What to say of a period that no mistake of its own gives."""
     regime, _, tau = analysis(start)
     ratio = own / tau
+    for pi in ROUGH_PIS:
+        if regime != 0 and abs(ratio * math.pi / pi - 1) <= min(doubt, 1e-8 + PERIOD / 10):
+            return error("rough_pi", pi=pi, **values)
     simple = Fraction(ratio).limit_denominator(LARGEST_RATIO)
     if simple != 1 and 0 < simple.numerator <= LARGEST_RATIO and abs(ratio - float(simple)) <= doubt * ratio and doubt < 1e-4:
         return error("tau_off", **values, ratio=f"{simple.numerator}/{simple.denominator}")
@@ -211,13 +221,14 @@ def off(start: Start, own: float, doubt: float, values: dict[str, float]) -> Fin
 def _layout(problem: Problem, t: Column, grid: Grid, every: float, dt: float) -> tuple[Finding, ...]:
     """What is wrong with the rows of a program whose period is known."""
     slack = 1.01 * dt + grid.unit
-    off = np.abs(t.values - grid.values)
+    off = np.minimum(np.abs(t.values - grid.values), np.abs(t.values - grid.places * every))
     wrong = np.flatnonzero(off > slack)
     if wrong.size == 1 and wrong.size < off.size - 3 and 0 < wrong[0] < off.size - 1:
         return _ends(problem, grid)  # a wrong cell
     if wrong.size:
         return (error("uneven_rows", row=int(wrong[0]) + 1, every=every),)
-    if abs(grid.first) <= grid.unit or (abs(grid.first) <= slack and abs(abs(grid.first) - dt) > grid.unit):
+    there = 1e-9 * dt + float(t.units[0]) if grid.places[0] == 0 else slack
+    if abs(grid.first) <= there:
         return _ends(problem, grid)
     name = "late_start"
     if abs(grid.first - dt) <= grid.unit + PERIOD * dt:

@@ -41,8 +41,6 @@ CLOSED = 1e-9  # rad: angles nearer to −π are meant to be that
 ROUGH = 2e-3  # relative: what 3.14 for π does to a sinusoid
 MOST_PLACEMENTS = 12
 MOST_WRONG = 4  # placements that a wrong table's columns are tried in
-# Of what is said where columns are taken for others.
-WEIGHTS = {"unexplained": 10, "sine_unexplained": 3, "single_precision": 3, "tau": 3, "times_off": 3, "uneven_rows": 3}
 WRONG_CELLS = 0.05  # of the rows: so few wrong ones among right ones are cells, and no mistake of the program
 
 
@@ -121,19 +119,44 @@ def judge(problem: Problem, table: Table) -> Judgement:
 
 
 def _best(problem: Problem, views: Sequence[tuple[str, View]]) -> tuple[str, View, list[Finding]]:
-    """The columns that there is least to say of: right ones, then those of which few cells are wrong, then those explained."""
+    """The columns that there is least to say of: those with right states, else those whose states one mistake explains."""
+    right = [each for each in views if _is_right(each[1])]
+    name, view = right[0] if right else _likeliest(problem, views)
+    explained = None if right else _explained(problem, view)
+    # Where nothing tells which column is the sinusoid, it is the one that fits.
+    same = [each for each in right or views if _has_same_states(each[1], view)]
     best, least = None, np.inf
-    for place, (name, view) in enumerate(sorted(views, key=lambda each: not _is_right(each[1]))):
-        if place >= MOST_WRONG and not _is_right(view):
-            break
-        findings = _of_states(problem, view)
-        weight = sum(WEIGHTS.get(finding.name, 1) for finding in findings if finding.severity == ERROR) + 0.5 * bool(name)
-        if weight < least:
-            best, least = (name, view, findings), weight
-        if weight == 0:
+    for each_name, each in same:
+        findings = _of_states(problem, each, explained)
+        weight = sum(3 if finding.name == "sine_unexplained" else 1 for finding in findings if finding.severity == ERROR)
+        if weight + 0.5 * bool(each_name) < least:
+            best, least = (each_name, each, findings), weight + 0.5 * bool(each_name)
+        if least == 0:
             break
     assert best is not None
     return best
+
+
+def _has_same_states(one: View, other: View) -> bool:
+    pairs = zip(one.columns[:3], other.columns[:3], strict=True)
+    return all(np.array_equal(a.values, b.values) for a, b in pairs)
+
+
+def _likeliest(problem: Problem, views: Sequence[tuple[str, View]]) -> tuple[str, View]:
+    """Of columns with wrong states, those of which few cells are wrong; else those that one mistake explains; else the first."""
+    tried: list[View] = []
+    for each in views:
+        if len(tried) < MOST_WRONG and not any(_has_same_states(each[1], view) for view in tried):
+            tried.append(each[1])
+            if _are_cells(each[1]) or explanations(problem, each[1].columns, each[1].places, 1):
+                return each
+    return views[0]
+
+
+def _are_cells(view: View) -> bool:
+    """Whether so few cells are wrong that they are no mistake of the program."""
+    rows = view.columns.t.values.size
+    return rows > 3 and sum(int(each.sum()) for each in view.wrong) <= max(1, WRONG_CELLS * rows)
 
 
 def _without_first(table: Table) -> Table:
@@ -204,8 +227,8 @@ def _is_right(view: View) -> bool:
     return not any(wrong.any() for wrong in view.wrong)
 
 
-def _of_states(problem: Problem, view: View) -> list[Finding]:
-    """What is wrong with times, angle, velocity and sinusoid."""
+def _of_states(problem: Problem, view: View, found: list[Explanation] | Finding | None) -> list[Finding]:
+    """What is wrong with times, angle, velocity and sinusoid. found: what explains states that are wrong."""
     columns = view.columns
     start, timing, prediction = taken(RIGHT, problem), view.timing, view.wanted
     findings: list[Finding] = []
@@ -213,7 +236,6 @@ def _of_states(problem: Problem, view: View) -> list[Finding]:
     doubt = UNKNOWN
     is_rough = False
     if not _is_right(view):
-        found = _explained(problem, view)
         if isinstance(found, Finding):
             findings.append(found)
             is_rough = found.name == "single_precision"
@@ -268,9 +290,8 @@ def _explained(problem: Problem, view: View) -> list[Explanation] | Finding:
     found = explanations(problem, columns, view.places, 1)
     if found:
         return found
-    wrong = sum(int(each.sum()) for each in view.wrong)
-    if wrong <= max(1, WRONG_CELLS * rows) and rows > 3:
-        return Finding("wrong_cell", {"count": wrong}, where=where)
+    if _are_cells(view):
+        return Finding("wrong_cell", {"count": sum(int(each.sum()) for each in view.wrong)}, where=where)
     found = fitted(problem, view.timing, columns, view.places) or explanations(problem, columns, view.places, 2)
     if found:
         return found

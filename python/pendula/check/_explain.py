@@ -141,14 +141,14 @@ def right_prediction(problem: Problem, timing: Timing, start: Start) -> Predicti
     if clock.steps.max(initial=0) <= MOST_WORK:
         by_rk4 = predictions([Candidate(RIGHT, Reading(start), timing, ())], problem)[0]
     else:
-        by_rk4 = _by_closed_form(start, clock)
+        by_rk4 = by_closed_form(start, clock)
     theta_error, omega_error = np.abs(wrap(by_rk4.theta - theta)), np.abs(by_rk4.omega - omega)
     errors = (np.maximum.accumulate(2 * np.nan_to_num(error, nan=np.inf)) for error in (theta_error, omega_error))
     theta_slack, omega_slack = (a + b for a, b in zip(errors, by_rk4[2:4], strict=True))
     return Prediction(wrap(theta), omega, theta_slack, omega_slack, theta)
 
 
-def _by_closed_form(start: Start, clock: Clock) -> Prediction:
+def by_closed_form(start: Start, clock: Clock) -> Prediction:
     """The closed form with the spread that Runge-Kutta would have, where its steps are too many to be taken."""
     t = clock.steps * clock.dt
     moved = start._replace(theta0=start.theta0 * (1 + ROUNDING), omega0=start.omega0 * (1 + ROUNDING))

@@ -11,6 +11,7 @@ from pendula.check._explain import (
     AS_ASKED,
     Explanation,
     Prediction,
+    by_closed_form,
     explanations,
     in_single_precision,
     misfits,
@@ -216,7 +217,11 @@ def _view(problem: Problem, table: Table, columns: Columns) -> View:
         judged = not_judged_from(wanted)
         if judged < columns.t.values.size:
             local = wrong_locally(start, timing, columns)
-            wrong = tuple(np.append(each[:judged], near[judged:]) for each, near in zip(wrong, local, strict=True))
+            closed = misfits(by_closed_form(start, timing.clock), AS_ASKED, columns.theta, columns.omega)
+            wrong = tuple(
+                np.append(each[:judged], (near & far)[judged:])
+                for each, near, far in zip(wrong, local, closed, strict=True)
+            )
         views.append(View(columns, places, timing, wanted, wrong, judged))
         if _is_right(views[-1]):
             return views[-1]
@@ -251,6 +256,7 @@ def _of_states(problem: Problem, view: View, found: list[Explanation] | Finding 
     elif view.judged < columns.t.values.size:
         findings.append(remark("not_judged", t=float(columns.t.values[view.judged])))
     in_time = list(timing.findings)
+    doubt = max([doubt, *(2 * abs(float(each.values["pi"]) - np.pi) for each in in_time if each.name == "rough_pi")])
     if any(each.name == "times_off" for each in in_time) and _is_nearly_in_time(problem, view):
         findings, is_rough = [Finding("single_precision", {}, where=None)], True
     if is_rough:  # its sums of times are inaccurate, too
@@ -370,7 +376,8 @@ def _of_wrapping(theta: Column, prediction: Prediction, form: str, columns: Colu
         return []
     outside = np.flatnonzero((theta.values > np.pi + theta.units) | (theta.values < -np.pi - theta.units))
     if outside.size == 0:
-        closed = np.any((prediction.theta < -np.pi + CLOSED) & (theta.values > 0) & (prediction.theta_slack < CLOSED))
+        at_top = np.abs(np.abs(prediction.theta) - np.pi) <= CLOSED
+        closed = np.any(at_top & (theta.values > 0) & (prediction.theta_slack < CLOSED))
         return [remark("wraps_closed_above")] if closed else []
     row = int(outside[0])
     wanted = float(wrap(theta.values[row]))

@@ -2,6 +2,7 @@
 
 from pendula.check._finding import Finding, Where
 from pendula.check._judge import Deviation, Judgement, judge
+from pendula.check._match import match
 from pendula.check._program import Problem, Start, problems
 from pendula.check._table import Table, UnreadableError, decoded, read_file, tables
 
@@ -16,6 +17,7 @@ __all__ = [
     "Where",
     "decoded",
     "judge",
+    "match",
     "problems",
     "read_file",
     "tables",

@@ -300,9 +300,7 @@ def _timings(problem: Problem, reading: Reading, right: Reading, t: Column, plac
         return [timing for timing in found if not timing.changes]
     if reading is not right:
         found += [
-            timing._replace(start=right.start)
-            for timing in timings(problem, right.start, t, places)
-            if timing.changes == 0
+            timing._replace(start=right.start) for timing in timings(problem, right.start, t, places) if timing.changes == 0
         ]
     return found
 

@@ -118,7 +118,9 @@ def _fit(problem: Problem, timing: Timing, columns: Columns, term: Term, stepper
         residuals = _residuals(problem, [timing.clock], columns, [term.made(each).of(base) for each in tried])
         if not np.isfinite(residuals).all():
             return None
-        slopes = np.stack([(each - residuals[0]) / np.linalg.norm(t - numbers) for each, t in zip(residuals[1:], tried[1:])], axis=1)
+        slopes = np.stack(
+            [(each - residuals[0]) / np.linalg.norm(t - numbers) for each, t in zip(residuals[1:], tried[1:])], axis=1
+        )
         change, *_ = np.linalg.lstsq(slopes, -residuals[0], rcond=None)
         numbers = numbers + change
         if np.all(np.abs(change) <= 1e-9 * np.abs(numbers)):
@@ -148,7 +150,9 @@ def _round(numbers: Floats, digits: int) -> Floats:
 def _nearest(problem: Problem, timing: Timing, columns: Columns, term: Term, base: Program) -> list[float]:
     if len(term.guesses) == 1:
         return term.guesses[0]
-    residuals = _residuals(problem, [timing.clock], columns, [base, *(term.made(np.array(each)).of(base) for each in term.guesses)])
+    residuals = _residuals(
+        problem, [timing.clock], columns, [base, *(term.made(np.array(each)).of(base) for each in term.guesses)]
+    )
     best, where = np.inf, term.guesses[0]
     for guess, each in zip(term.guesses, residuals[1:], strict=True):
         slope = (each - residuals[0]) / guess[0]

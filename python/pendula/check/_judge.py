@@ -9,6 +9,7 @@ import numpy as np
 from pendula import _core
 from pendula.check._explain import (
     AS_ASKED,
+    DECIDES,
     Explanation,
     Prediction,
     by_closed_form,
@@ -166,7 +167,9 @@ def _without_first(table: Table) -> Table:
 
 def _without_first_row(columns: Columns) -> Columns:
     quantities = [each and Column(each.values[1:], each.units[1:]) for each in columns[:4]]
-    return columns._replace(t=quantities[0], theta=quantities[1], omega=quantities[2], sine=quantities[3], lines=columns.lines[1:])
+    return columns._replace(
+        t=quantities[0], theta=quantities[1], omega=quantities[2], sine=quantities[3], lines=columns.lines[1:]
+    )
 
 
 # Layout.
@@ -217,10 +220,12 @@ def _view(problem: Problem, table: Table, columns: Columns) -> View:
         judged = not_judged_from(wanted)
         if judged < columns.t.values.size:
             local = wrong_locally(start, timing, columns)
-            closed = misfits(by_closed_form(start, timing.clock), AS_ASKED, columns.theta, columns.omega)
+            on_time = by_closed_form(start, timing.clock)
+            closed = [
+                each | ~(on_time.theta_slack <= DECIDES) for each in misfits(on_time, AS_ASKED, columns.theta, columns.omega)
+            ]
             wrong = tuple(
-                np.append(each[:judged], (near & far)[judged:])
-                for each, near, far in zip(wrong, local, closed, strict=True)
+                np.append(each[:judged], (near & far)[judged:]) for each, near, far in zip(wrong, local, closed, strict=True)
             )
         views.append(View(columns, places, timing, wanted, wrong, judged))
         if _is_right(views[-1]):
@@ -301,7 +306,10 @@ def _explained(problem: Problem, view: View) -> list[Explanation] | Finding:
     found = fitted(problem, view.timing, columns, view.places) or explanations(problem, columns, view.places, 2)
     if found:
         return found
-    if any(in_single_precision(problem, timing, columns) for timing in timings(problem, taken(RIGHT, problem), columns.t, view.places)):
+    if any(
+        in_single_precision(problem, timing, columns)
+        for timing in timings(problem, taken(RIGHT, problem), columns.t, view.places)
+    ):
         return Finding("single_precision", {}, where=where, alternatives=(error("single_constants"),))
     found = explanations(problem, columns, view.places, 3)
     if found:
@@ -417,7 +425,9 @@ WRAPPINGS = (
 # The sinusoid.
 
 
-def _of_sinusoid(problem: Problem, start: Start, timing: Timing, columns: Columns, is_rough: bool, factor: float, doubt: float) -> list[Finding]:
+def _of_sinusoid(
+    problem: Problem, start: Start, timing: Timing, columns: Columns, is_rough: bool, factor: float, doubt: float
+) -> list[Finding]:
     """The fourth column, which is there where the pendulum oscillates and only there."""
     sine, regime = columns.sine, regime_of(start)
     if start != taken(RIGHT, problem) and (sine is not None) == (regime == -1) and regime != problem.regime:

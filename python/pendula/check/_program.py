@@ -306,7 +306,9 @@ class Motion(NamedTuple):
     omega: Floats
 
 
-def replay(programs: Sequence[Program], problem: Problem, clocks: Sequence[Clock], starts: Sequence[Start] | None = None) -> Motion:
+def replay(
+    programs: Sequence[Program], problem: Problem, clocks: Sequence[Clock], starts: Sequence[Start] | None = None
+) -> Motion:
     """What the programs compute, each with its clock."""
     starts = [taken(program, problem) for program in programs] if starts is None else starts
     rows = max((clock.steps.size for clock in clocks), default=0)

@@ -71,7 +71,9 @@ def wrong_sinusoids(start: Start, tau: float, dt: float) -> Iterator[tuple[str, 
     yield "sine_step_late", right._replace(phase=right.phase - right.rate * dt)
 
 
-def fits(wanted: Callable[[Floats], Floats], start: Start, t: Column, sine: Column, tau_doubt: float = UNKNOWN) -> npt.NDArray[np.bool_]:
+def fits(
+    wanted: Callable[[Floats], Floats], start: Start, t: Column, sine: Column, tau_doubt: float = UNKNOWN
+) -> npt.NDArray[np.bool_]:
     """Rows in which the fourth column is that."""
     at, before, after = (wanted(times) for times in t.nearby())
     off: Floats = np.abs(_core.wrap(sine.values - at))

@@ -6,10 +6,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from pendula.check._explain import AS_ASKED, Candidate, Explanation, Reading, fits, predictions, wrap
+from pendula.check._explain import Candidate, Explanation, Reading
 from pendula.check._mistakes import STEPPERS, Mistake
+from pendula.check._predict import AS_ASKED, fits, predictions, wrap
 from pendula.check._program import RIGHT, Clock, Program, Start, analysis, replay, taken
-
 from pendula.check._timing import off, timings
 
 if TYPE_CHECKING:
@@ -94,7 +94,7 @@ def _stretched(problem: Problem, timing: Timing, columns: Columns) -> Explanatio
     said = off(start, own, 1.0, {"tau": tau, "got": own, "every": problem.every, "spacing": problem.every * (1 + stretch)})
     moved = timing._replace(clock=clock._replace(dt=clock.dt * (1 + stretch)), tau=own, findings=(*timing.findings, said))
     candidate = Candidate(RIGHT, Reading(start), moved, ())
-    prediction = predictions([candidate], problem)[0]
+    prediction = predictions([candidate.run])[0]
     return Explanation(candidate, AS_ASKED, prediction) if fits(prediction, AS_ASKED, columns) else None
 
 
@@ -112,15 +112,13 @@ def _in_own_time(problem: Problem, found: Explanation, columns: Columns, places:
 def _fit(problem: Problem, timing: Timing, columns: Columns, term: Term, stepper: Mistake | None) -> Explanation | None:
     base = stepper.of(RIGHT) if stepper else RIGHT
     numbers = np.array(_nearest(problem, timing, columns, term, base))
-    start = taken(RIGHT, problem)
     for _ in range(ROUNDS):
         tried = [numbers, *(numbers + step for step in np.diag(1e-6 * np.maximum(np.abs(numbers), 1e-3)))]
         residuals = _residuals(problem, [timing.clock], columns, [term.made(each).of(base) for each in tried])
         if not np.isfinite(residuals).all():
             return None
-        slopes = np.stack(
-            [(each - residuals[0]) / np.linalg.norm(t - numbers) for each, t in zip(residuals[1:], tried[1:])], axis=1
-        )
+        steps = [np.linalg.norm(each - numbers) for each in tried[1:]]
+        slopes = np.stack([(each - residuals[0]) / step for each, step in zip(residuals[1:], steps, strict=True)], axis=1)
         change, *_ = np.linalg.lstsq(slopes, -residuals[0], rcond=None)
         numbers = numbers + change
         if np.all(np.abs(change) <= 1e-9 * np.abs(numbers)):
@@ -133,7 +131,7 @@ def _fit(problem: Problem, timing: Timing, columns: Columns, term: Term, stepper
         if abs(numbers[0] - term.nothing) < LEAST * (term.guesses[0][0] - term.nothing) * 100:
             return None
         candidate = Candidate(each.of(base), reading, timing, (each, *mistakes[1:]))
-        prediction = predictions([candidate], problem)[0]
+        prediction = predictions([candidate.run])[0]
         # A fitted number makes up for a part of what is unknown, and is itself no nearer than that.
         wider = prediction._replace(theta_slack=3 * prediction.theta_slack, omega_slack=3 * prediction.omega_slack)
         if fits(wider, AS_ASKED, columns):
@@ -168,7 +166,7 @@ def _residuals(problem: Problem, clocks: list[Clock], columns: Columns, programs
     starts: list[Start] = [taken(program, problem) for program in programs]
     with np.errstate(all="ignore"):
         clocks = clocks * len(programs) if len(clocks) == 1 else clocks
-        theta, omega = replay(programs, problem, clocks, starts)
+        theta, omega = replay(programs, clocks, starts)
         rate = float(np.sqrt(problem.alpha))
         off = np.hstack([wrap(theta - columns.theta.values), (omega - columns.omega.values) / rate])
     found: Floats = off

@@ -7,43 +7,39 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from pendula import _core
-from pendula.check._explain import (
+from pendula.check._explain import Explanation, explanations, in_single_precision
+from pendula.check._finding import ERROR, REMARK, Finding, Value, Where, error, remark
+from pendula.check._fit import fitted
+from pendula.check._predict import (
     AS_ASKED,
     DECIDES,
-    Explanation,
     Prediction,
+    are_cells,
     by_closed_form,
-    explanations,
-    in_single_precision,
     misfits,
     not_judged_from,
-    regime_of,
     right_prediction,
     wrap,
     wrong_locally,
 )
-from pendula.check._finding import ERROR, REMARK, Finding, Value, Where, error, remark
-from pendula.check._fit import fitted
-from pendula.check._program import RIGHT, Problem, Start, taken
-from pendula.check._sinusoid import UNKNOWN, angle, right_sinusoid, wrong_sinusoids
-from pendula.check._sinusoid import fits as sine_fits
+from pendula.check._program import RIGHT, Problem, Start, analysis, taken
+from pendula.check._sinusoid import UNKNOWN, fits, of_sinusoid, right_sinusoid
 from pendula.check._table import ROLES, WORDS, Column, Columns, columns_at, placements, roles_of
 from pendula.check._timing import Timing, timings
+from pendula.check._wrapping import of_wrapping
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     import numpy.typing as npt
 
-    from pendula.check._program import Floats, Integers
+    from pendula.check._program import Floats
     from pendula.check._table import Table
 
 FEW_DIGITS = 5
-CLOSED = 1e-9  # rad: angles nearer to −π are meant to be that
 ROUGH = 2e-3  # relative: what 3.14 for π does to a sinusoid
 MOST_PLACEMENTS = 12
 MOST_WRONG = 4  # placements that a wrong table's columns are tried in
-WRONG_CELLS = 0.05  # of the rows: so few wrong ones among right ones are cells, and no mistake of the program
 
 
 class Deviation(NamedTuple):
@@ -92,7 +88,7 @@ class View(NamedTuple):
 def judge(problem: Problem, table: Table) -> Judgement:
     """Predicts every column and, where the table differs, finds the program that prints it."""
     findings = _of_header(problem, table)
-    found = []
+    found: list[tuple[str, Columns]] = []
     for name, places in placements(table, problem.regime == -1):
         columns = columns_at(table, places)
         if columns is not None and len(found) < MOST_PLACEMENTS:
@@ -123,7 +119,7 @@ def judge(problem: Problem, table: Table) -> Judgement:
 def _best(problem: Problem, views: Sequence[tuple[str, View]]) -> tuple[str, View, list[Finding]]:
     """The columns that there is least to say of: those with right states, else those whose states one mistake explains."""
     right = [each for each in views if _is_right(each[1])]
-    name, view = right[0] if right else _likeliest(problem, views)
+    view = (right[0] if right else _likeliest(problem, views))[1]
     explained = None if right else _explained(problem, view)
     # Where nothing tells which column is the sinusoid, it is the one that fits.
     same = [each for each in right or views if _has_same_states(each[1], view)]
@@ -145,7 +141,7 @@ def _has_same_states(one: View, other: View) -> bool:
 
 
 def _likeliest(problem: Problem, views: Sequence[tuple[str, View]]) -> tuple[str, View]:
-    """Of columns with wrong states, those of which few cells are wrong; else those that one mistake explains; else the first."""
+    """Of columns with wrong states, those with few wrong cells; else those that one mistake explains; else the first."""
     tried: list[View] = []
     for each in views:
         if len(tried) < MOST_WRONG and not any(_has_same_states(each[1], view) for view in tried):
@@ -157,8 +153,7 @@ def _likeliest(problem: Problem, views: Sequence[tuple[str, View]]) -> tuple[str
 
 def _are_cells(view: View) -> bool:
     """Whether so few cells are wrong that they are no mistake of the program."""
-    rows = view.columns.t.values.size
-    return rows > 3 and sum(int(each.sum()) for each in view.wrong) <= max(1, WRONG_CELLS * rows)
+    return are_cells(sum(int(each.sum()) for each in view.wrong), view.columns.t.values.size)
 
 
 def _without_first(table: Table) -> Table:
@@ -166,10 +161,12 @@ def _without_first(table: Table) -> Table:
 
 
 def _without_first_row(columns: Columns) -> Columns:
-    quantities = [each and Column(each.values[1:], each.units[1:]) for each in columns[:4]]
-    return columns._replace(
-        t=quantities[0], theta=quantities[1], omega=quantities[2], sine=quantities[3], lines=columns.lines[1:]
-    )
+    def rest(column: Column) -> Column:
+        return Column(column.values[1:], column.units[1:])
+
+    sine = None if columns.sine is None else rest(columns.sine)
+    t, theta, omega = map(rest, columns[:3])
+    return columns._replace(t=t, theta=theta, omega=omega, sine=sine, lines=columns.lines[1:])
 
 
 # Layout.
@@ -215,11 +212,11 @@ def _view(problem: Problem, table: Table, columns: Columns) -> View:
     places = np.searchsorted(table.lines, columns.lines).astype(float)
     views = []
     for timing in timings(problem, start, columns.t, places):
-        wanted = right_prediction(problem, timing, start)
+        wanted = right_prediction(timing.clock, start)
         wrong = misfits(wanted, AS_ASKED, columns.theta, columns.omega)
         judged = not_judged_from(wanted)
         if judged < columns.t.values.size:
-            local = wrong_locally(start, timing, columns)
+            local = wrong_locally(start, timing.clock, columns)
             on_time = by_closed_form(start, timing.clock)
             closed = [
                 each | ~(on_time.theta_slack <= DECIDES) for each in misfits(on_time, AS_ASKED, columns.theta, columns.omega)
@@ -268,15 +265,15 @@ def _of_states(problem: Problem, view: View, found: list[Explanation] | Finding 
         in_time = [each for each in in_time if each.name not in ("series_cut", "tau", "tau_off", "uneven_rows", "times_off")]
     findings += in_time
     findings = _misjudged(problem, start, columns, findings)
-    findings += _of_wrapping(columns.theta.scaled(1 / printing.theta_factor), prediction, printing.form, columns)
+    findings += of_wrapping(columns.theta.scaled(1 / printing.theta_factor), prediction, printing.form, columns)
     if all(each.name != "regime" for each in findings):
-        findings += _of_sinusoid(problem, start, timing, columns, is_rough, printing.theta_factor, doubt)
+        findings += of_sinusoid(problem, start, timing, columns, is_rough, printing.theta_factor, doubt)
     return findings
 
 
 def _misjudged(problem: Problem, start: Start, columns: Columns, findings: list[Finding]) -> list[Finding]:
     """A period of another regime, and a sinusoid that is there or not as in that regime, are one mistake."""
-    regime, has_sine = regime_of(start), columns.sine is not None
+    regime, has_sine = analysis(start)[0], columns.sine is not None
     periods = ("tau", "period_small", "period_first_term", "series_cut", "period_doubled", "period_halved")
     found = next((each for each in findings if each.name in periods), None)
     if found is None or regime == 0 or has_sine == (regime == -1):
@@ -375,97 +372,7 @@ def _symptoms(problem: Problem, view: View) -> dict[str, float | int | str]:
     return {"order": int(order) if 1 <= order <= 3 else "?", "energy": how}
 
 
-# Printing.
-
-
-def _of_wrapping(theta: Column, prediction: Prediction, form: str, columns: Columns) -> list[Finding]:
-    """Angles that stand outside [-π, π), and by what rule they got there."""
-    if form == "absolute":
-        return []
-    outside = np.flatnonzero((theta.values > np.pi + theta.units) | (theta.values < -np.pi - theta.units))
-    if outside.size == 0:
-        at_top = np.abs(np.abs(prediction.theta) - np.pi) <= CLOSED
-        closed = np.any(at_top & (theta.values > 0) & (prediction.theta_slack < CLOSED))
-        return [remark("wraps_closed_above")] if closed else []
-    row = int(outside[0])
-    wanted = float(wrap(theta.values[row]))
-    where = Where(int(columns.lines[row]), float(columns.t.values[row]), WORDS[1], float(columns.theta.values[row]), wanted)
-    unwrapped = prediction.turning
-    slack = theta.units + prediction.theta_slack + 1e-9
-    named = list(dict.fromkeys(name for name, rule in WRAPPINGS if _follows(theta.values, rule(unwrapped), slack)))
-    alternatives = tuple(error(name) for name in named[1:4])
-    return [Finding(named[0] if named else "not_normalised", {}, where=where, alternatives=alternatives)]
-
-
-def _follows(theta: Floats, wanted: Floats, slack: Floats) -> bool:
-    """Whether angles follow a rule, except where rounding decides at a multiple of π."""
-    off = np.abs(theta - wanted)
-    at_edge = np.abs(np.sin(wanted)) <= slack
-    whole_turn = np.abs(off - 2 * np.pi) <= slack
-    return bool(np.all((off <= slack) | (at_edge & whole_turn)))
-
-
-def _one_side(theta: Floats, sign: float) -> Floats:
-    return np.where(sign * theta > np.pi, wrap(theta), theta)
-
-
-WRAPPINGS = (
-    ("not_normalised", lambda theta: theta),
-    ("wraps_one_side", lambda theta: _one_side(theta, 1.0)),
-    ("wraps_one_side", lambda theta: _one_side(theta, -1.0)),
-    ("wraps_one_side", lambda theta: np.where(theta > np.pi, theta - 2 * np.pi, theta)),
-    ("wraps_one_side", lambda theta: np.where(theta < -np.pi, theta + 2 * np.pi, theta)),
-    ("wraps_one_side", lambda theta: theta - 2 * np.pi * (theta > np.pi) + 2 * np.pi * (theta < -np.pi)),
-    ("wraps_zero_to_two_pi", lambda theta: np.mod(theta, 2 * np.pi)),
-    ("wraps_fmod", lambda theta: np.fmod(theta, 2 * np.pi)),
-    ("wraps_fmod", lambda theta: np.fmod(theta + np.pi, 2 * np.pi) - np.pi),
-)
-
-
-# The sinusoid.
-
-
-def _of_sinusoid(
-    problem: Problem, start: Start, timing: Timing, columns: Columns, is_rough: bool, factor: float, doubt: float
-) -> list[Finding]:
-    """The fourth column, which is there where the pendulum oscillates and only there."""
-    sine, regime = columns.sine, regime_of(start)
-    if start != taken(RIGHT, problem) and (sine is not None) == (regime == -1) and regime != problem.regime:
-        return []  # right for the pendulum that the program took for the problem's
-    if regime != -1:
-        return [error("sine_too_many")] if sine is not None and problem.regime != -1 else []
-    if sine is None:
-        return [error("sine_missing")]
-    if not np.all(np.isfinite(sine.values)):
-        return [error("sine_not_numbers", line=int(columns.lines[~np.isfinite(sine.values)][0]))]
-    t = Column(columns.t.values * timing.unit, columns.t.units * timing.unit)
-    rows = Column(timing.clock.steps * timing.clock.dt, timing.clock.unsure)
-    right = right_sinusoid(start, timing.tau)
-    if factor != 1 and not np.all(sine_fits(right.at, start, rows, sine)):
-        sine = sine.scaled(1 / factor)  # told with the angle
-    for times in (rows, t, columns.t):
-        if np.all(sine_fits(right.at, start, times, sine, doubt)):
-            outside = np.any(np.abs(sine.values) > np.pi + sine.units)
-            return [error("sine_not_wrapped")] if outside else []
-    if is_rough:
-        return []  # as inaccurate as the states
-    named = []
-    for times in (rows, t, columns.t):
-        for name, wrong in wrong_sinusoids(start, timing.tau, timing.clock.dt):
-            if name not in named and np.all(sine_fits(wrong.at, start, times, sine)):
-                named.append(name)
-        if np.all(sine_fits(lambda at: angle(start, at), start, times, sine)):
-            named.append("sine_is_the_angle")
-        if named:
-            break
-    row = int(np.argmax(~sine_fits(right.at, start, rows, sine)))
-    wanted = float(right.at(rows.values)[row])
-    where = Where(int(columns.lines[row]), float(columns.t.values[row]), WORDS[3], float(sine.values[row]), wanted)
-    few = int((~sine_fits(right.at, start, rows, sine)).sum())
-    if not named and few <= max(1, WRONG_CELLS * sine.values.size) and sine.values.size > 3:
-        return [Finding("wrong_cell", {"count": few}, where=where)]
-    alternatives = tuple(error(name) for name in named[1:3])
-    return [Finding(named[0] if named else "sine_unexplained", {}, where=where, alternatives=alternatives)]
+# Distances.
 
 
 def _deviations(problem: Problem, view: View) -> dict[str, Deviation]:
@@ -477,10 +384,10 @@ def _deviations(problem: Problem, view: View) -> dict[str, Deviation]:
         found[role] = _deviation(wrong, right, distance)
     if problem.regime == -1 and columns.sine is not None:
         start = taken(RIGHT, problem)
-        rows = Column(view.timing.clock.steps * view.timing.clock.dt, view.timing.clock.unsure)
+        rows = Column(view.timing.clock.t, view.timing.clock.unsure)
         sinusoid = right_sinusoid(start, problem.tau)
         right = sinusoid.at(rows.values)
-        fit = sine_fits(sinusoid.at, start, rows, columns.sine)
+        fit = fits(sinusoid.at, start, rows, columns.sine)
         found["sine"] = _deviation(~fit, right, columns.sine.values - right)
     return found
 

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from pendula.check._explain import wrap
+from pendula.check._predict import wrap
 from pendula.check._table import columns_at, placements
 
 if TYPE_CHECKING:

@@ -7,14 +7,15 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from pendula.check._program import CLASSICAL, DEGREE, RIGHT, Program, Stepper, stepper
+from pendula.check._program import CLASSICAL, DEGREE, Program, Stepper, stepper
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Mapping, Sequence
 
 
 class Mistake(NamedTuple):
@@ -26,7 +27,7 @@ class Mistake(NamedTuple):
     """What of the program is wrong; two mistakes of a pair are from different groups."""
     changes: dict[str, Any]
     """Fields of Program."""
-    values: dict[str, float] = {}
+    values: Mapping[str, float] = MappingProxyType({})
     """What its page says beside."""
 
     def of(self, program: Program) -> Program:
@@ -57,12 +58,12 @@ def classical(**changes: Any) -> Stepper:
 
 
 def after(rows: Sequence[Sequence[float]], weights: Sequence[float]) -> list[list[float]]:
-    """Four more stages behind the first four, which see these rows of themselves and, first, the whole sum of the first four."""
+    """Four more stages behind the first four, which see these rows of themselves and, before, the sum of the first four."""
     return [[], [], [], [], *([*weights, *row] for row in rows)]
 
 
 ZEROS = (0.0,) * 4
-# The velocity is done with first, by slopes of its own or (3.10), and the angle's slopes start from the new one; or the reverse.
+# The velocity is done with first, by slopes of its own, and the angle's slopes start from the new one; or the reverse.
 OMEGA_FIRST_OWN = stepper(
     NONE,
     (*ZEROS, *SIMPSON),
@@ -79,7 +80,7 @@ THETA_FIRST_OWN = stepper(
     own_velocity=CLASSICAL,
     omega_weights=(*ZEROS, *SIMPSON),
 )
-# All slopes as in (3.10), but those of the velocity are taken again at the new angle; or those of the angle at the new velocity.
+# All slopes are as in (3.10), but those of the second quantity are taken again where the first is already new.
 SEEING_SUM = [*CLASSICAL, *after(CLASSICAL, SIMPSON)[4:]]
 SEEING_THEMSELVES = [*CLASSICAL, *after(CLASSICAL, ZEROS)[4:]]
 SEEING_BOTH = [*CLASSICAL, *([*np.add(SIMPSON, (*row, *ZEROS)[:4])] for row in CLASSICAL)]

@@ -120,7 +120,8 @@ def stepper(
     sums = [_padded(each, stages) for each in (weights, weights if omega_weights is None else omega_weights)]
     time = np.clip(np.maximum(matrices[0].sum(axis=1), matrices[2].sum(axis=1)), 0, 1)
     powers = np.broadcast_to(np.array(power, float), stages)
-    return Stepper(parts, np.ones(stages), time, *matrices, *sums, powers, sum_power)
+    seen, own_seen, faster, own_faster = matrices
+    return Stepper(parts, np.ones(stages), time, seen, own_seen, faster, own_faster, sums[0], sums[1], powers, sum_power)
 
 
 def _padded(row: Sequence[float], stages: int) -> Floats:
@@ -236,7 +237,7 @@ def limit_time(start: Start, fraction: float) -> float:
 
 
 def period(name: str, start: Start) -> float | None:
-    """The characteristic time of a program with this mistake; None where there is none, or it does not matter in this regime."""
+    """The characteristic time of a program with this mistake; None where there is none, or none of its own in this regime."""
     try:
         return _period(name, start)
     except (ValueError, ArithmeticError):  # no number is its logarithm, or its size
@@ -278,8 +279,9 @@ LATEST = 1e9  # periods; no table's digits tell the phase of a later time
 
 
 def closed_form(start: Start, t: Floats) -> tuple[Floats, Floats]:
-    """(theta, omega) of the frictionless pendulum; the angle counts whole turns. A row that claims to be later than LATEST is wrong
-    by its time, whatever its state.
+    """(theta, omega) of the frictionless pendulum; the angle counts whole turns.
+
+    A row that claims to be later than LATEST is wrong by its time, whatever its state.
     """
     latest = LATEST * analysis(start)[2]
     theta, omega = exact(start.theta0, start.omega0, np.clip(t, -latest, latest), alpha=start.alpha)
@@ -298,6 +300,11 @@ class Clock(NamedTuple):
     unsure: Floats
     """[row]: how far the times printed leave the row's time open [s]."""
 
+    @property
+    def t(self) -> Floats:
+        """[row]: its time [s]."""
+        return self.steps * np.float64(self.dt)
+
 
 class Motion(NamedTuple):
     """States of programs, [program, row]; the angle counts whole turns."""
@@ -306,17 +313,14 @@ class Motion(NamedTuple):
     omega: Floats
 
 
-def replay(
-    programs: Sequence[Program], problem: Problem, clocks: Sequence[Clock], starts: Sequence[Start] | None = None
-) -> Motion:
-    """What the programs compute, each with its clock."""
-    starts = [taken(program, problem) for program in programs] if starts is None else starts
+def replay(programs: Sequence[Program], clocks: Sequence[Clock], starts: Sequence[Start]) -> Motion:
+    """What the programs compute, each with its clock, from what it takes for the pendulum."""
     rows = max((clock.steps.size for clock in clocks), default=0)
     theta, omega = np.empty((2, len(programs), rows))
     sizes = np.array([program.stepper.theta.size for program in programs], int)
     for size in np.unique(sizes):
         group = np.flatnonzero(sizes == size)
-        each = [(programs[i], starts[i], clocks[i]) for i in group]
+        each = [(programs[i], starts[i], clocks[i]) for i in group.tolist()]
         numbers = [program.stepper.numbers(clock.dt) for program, _, clock in each]
         theta[group], omega[group] = _core.replay(
             start=np.array([start[:2] for _, start, _ in each]),

@@ -8,7 +8,10 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from pendula import _core
-from pendula.check._program import DEGREE, Start, analysis, closed_form, small_period
+from pendula.check._finding import Finding, Where, error
+from pendula.check._predict import are_cells
+from pendula.check._program import DEGREE, RIGHT, Problem, Start, analysis, closed_form, small_period, taken
+from pendula.check._table import WORDS, Column, Columns
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
@@ -16,7 +19,7 @@ if TYPE_CHECKING:
     import numpy.typing as npt
 
     from pendula.check._program import Floats
-    from pendula.check._table import Column
+    from pendula.check._timing import Timing
 
 TINY = 1e-290  # rad: of smaller limit angles the quotients here are no doubles
 EPSILON = float(np.finfo(float).eps)
@@ -99,3 +102,46 @@ def angle(start: Start, t: Floats) -> Floats:
     """The pendulum's own angle."""
     wrapped: Floats = _core.wrap(closed_form(start, t)[0])
     return wrapped
+
+
+def of_sinusoid(
+    problem: Problem, start: Start, timing: Timing, columns: Columns, is_rough: bool, factor: float, doubt: float
+) -> list[Finding]:
+    """The fourth column, which is there where the pendulum oscillates and only there."""
+    sine, regime = columns.sine, analysis(start)[0]
+    if start != taken(RIGHT, problem) and (sine is not None) == (regime == -1) and regime != problem.regime:
+        return []  # right for the pendulum that the program took for the problem's
+    if regime != -1:
+        return [error("sine_too_many")] if sine is not None and problem.regime != -1 else []
+    if sine is None:
+        return [error("sine_missing")]
+    if not np.all(np.isfinite(sine.values)):
+        return [error("sine_not_numbers", line=int(columns.lines[~np.isfinite(sine.values)][0]))]
+    t = Column(columns.t.values * timing.unit, columns.t.units * timing.unit)
+    rows = Column(timing.clock.t, timing.clock.unsure)
+    right = right_sinusoid(start, timing.tau)
+    if factor != 1 and not np.all(fits(right.at, start, rows, sine)):
+        sine = sine.scaled(1 / factor)  # told with the angle
+    for times in (rows, t, columns.t):
+        if np.all(fits(right.at, start, times, sine, doubt)):
+            outside = np.any(np.abs(sine.values) > np.pi + sine.units)
+            return [error("sine_not_wrapped")] if outside else []
+    if is_rough:
+        return []  # as inaccurate as the states
+    named = []
+    for times in (rows, t, columns.t):
+        for name, wrong in wrong_sinusoids(start, timing.tau, timing.clock.dt):
+            if name not in named and np.all(fits(wrong.at, start, times, sine)):
+                named.append(name)
+        if np.all(fits(lambda at: angle(start, at), start, times, sine)):
+            named.append("sine_is_the_angle")
+        if named:
+            break
+    row = int(np.argmax(~fits(right.at, start, rows, sine)))
+    wanted = float(right.at(rows.values)[row])
+    where = Where(int(columns.lines[row]), float(columns.t.values[row]), WORDS[3], float(sine.values[row]), wanted)
+    few = int((~fits(right.at, start, rows, sine)).sum())
+    if not named and are_cells(few, sine.values.size):
+        return [Finding("wrong_cell", {"count": few}, where=where)]
+    alternatives = tuple(error(name) for name in named[1:3])
+    return [Finding(named[0] if named else "sine_unexplained", {}, where=where, alternatives=alternatives)]

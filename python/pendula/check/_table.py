@@ -19,7 +19,7 @@ from pendula.check._words import ROLES, STATE, WORDS, fitting, role_of, roles_of
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
-    from pendula.check._findings import Value
+    from pendula.check._finding import Value
     from pendula.check._lines import Line
 
 __all__ = [

@@ -10,8 +10,8 @@ import numpy as np
 
 from pendula.check._finding import Finding, error, remark
 from pendula.check._mistakes import PERIODS
-from pendula.check._program import Clock, Problem, Start, analysis, first_term, period
 from pendula.check._program import PERIODS as NAMES
+from pendula.check._program import Clock, Problem, Start, analysis, first_term, period
 
 if TYPE_CHECKING:
     from collections.abc import Iterator

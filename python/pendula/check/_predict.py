@@ -1,0 +1,188 @@
+"""States at a table's rows as programs predict them, how far a table may be from them, and which of its rows are farther."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from pendula import _core
+from pendula.check._mistakes import BOTH_IN_DEGREES, PRINTINGS, Mistake
+from pendula.check._program import RIGHT, Clock, Motion, Program, Start, closed_form, replay
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    import numpy.typing as npt
+
+    from pendula.check._program import Floats
+    from pendula.check._table import Column, Columns
+
+ROUNDING = 1e-11  # relative: what the roundings of ten thousand steps may be worth
+MOST_WORK = 1 << 22  # steps of a program that is replayed; more are taken by the closed form
+FEW_CELLS = 0.05  # of the rows
+DECIDES = 0.1  # rad: beyond this, what rounding may be worth leaves nothing to judge
+
+
+class Prediction(NamedTuple):
+    """States at a table's rows, and how far a table may be from them, because programs differ."""
+
+    theta: Floats
+    """In [-π, π); whole turns are judged apart."""
+    omega: Floats
+    theta_slack: Floats
+    omega_slack: Floats
+    turning: Floats
+    """The angle with its whole turns."""
+
+
+def wrap(theta: Floats) -> Floats:
+    """Angles in [-π, π)."""
+    wrapped: Floats = _core.wrap(theta)
+    return wrapped
+
+
+class Run(NamedTuple):
+    """A program with its rows and with what it takes for the pendulum."""
+
+    program: Program
+    clock: Clock
+    start: Start
+
+
+def predictions(runs: Sequence[Run]) -> list[Prediction]:
+    """What the programs print, each with the spread of what is legitimately unknown: roundings, and the period."""
+    three: list[Run] = []
+    for program, clock, start in runs:
+        moved = start._replace(theta0=start.theta0 * (1 + ROUNDING), omega0=start.omega0 * (1 + ROUNDING))
+        slower = clock._replace(dt=clock.dt * (1 + clock.doubt))
+        three += [Run(program, clock, start), Run(program, clock, moved), Run(program, slower, start)]
+    programs, clocks, starts = zip(*three, strict=True) if three else ((), (), ())
+    theta, omega = replay(programs, clocks, starts)
+    return [
+        _prediction(Motion(theta[i : i + 3], omega[i : i + 3]), three[i].clock.unsure, three[i].start.alpha)
+        for i in range(0, len(three), 3)
+    ]
+
+
+def _prediction(spread: Motion, unsure: Floats, alpha: float) -> Prediction:
+    with np.errstate(invalid="ignore", over="ignore"):
+        slacks = [np.abs(each[1] - each[0]) + np.abs(each[2] - each[0]) for each in spread]
+        scales = (1.0, float(np.sqrt(alpha)))
+        floors = [ROUNDING * (scale + np.abs(each[0])) for scale, each in zip(scales, spread, strict=True)]
+        late = (np.abs(spread.omega[0]) * unsure, alpha * unsure)
+        theta_slack, omega_slack = (
+            np.maximum.accumulate(np.nan_to_num(slack, nan=0.0, posinf=1e300) + floor) + open_time
+            for slack, floor, open_time in zip(slacks, floors, late, strict=True)
+        )
+    return Prediction(wrap(spread.theta[0]), spread.omega[0], theta_slack, omega_slack, spread.theta[0])
+
+
+def right_prediction(clock: Clock, start: Start) -> Prediction:
+    """The closed form, within twice Runge-Kutta's error at the problem's step and what is legitimately unknown.
+
+    A better method than was asked for is right.
+    """
+    t = clock.t
+    theta, omega = closed_form(start, t)
+    if clock.steps.max(initial=0) <= MOST_WORK:
+        by_rk4 = predictions([Run(RIGHT, clock, start)])[0]
+    else:
+        by_rk4 = by_closed_form(start, clock)
+    theta_error, omega_error = np.abs(wrap(by_rk4.theta - theta)), np.abs(by_rk4.omega - omega)
+    errors = (np.maximum.accumulate(2 * np.nan_to_num(error, nan=np.inf)) for error in (theta_error, omega_error))
+    theta_slack, omega_slack = (a + b for a, b in zip(errors, by_rk4[2:4], strict=True))
+    return Prediction(wrap(theta), omega, theta_slack, omega_slack, theta)
+
+
+def by_closed_form(start: Start, clock: Clock) -> Prediction:
+    """The closed form with the spread that Runge-Kutta would have, where its steps are too many to be taken."""
+    t = clock.t
+    moved = start._replace(theta0=start.theta0 * (1 + ROUNDING), omega0=start.omega0 * (1 + ROUNDING))
+    three = ((start, t), (moved, t), (start, t * (1 + clock.doubt)))
+    motions = [closed_form(each, times) for each, times in three]
+    theta, omega = (np.array([motion[i] for motion in motions]) for i in (0, 1))
+    return _prediction(Motion(theta, omega), clock.unsure, start.alpha)
+
+
+def not_judged_from(prediction: Prediction) -> int:
+    """The first row in which roundings may be worth so much that nothing can be said of it; where there is none, how many rows.
+
+    Near the separatrix a right program falls to either side.
+    """
+    open_rows = np.flatnonzero(~(prediction.theta_slack <= DECIDES))
+    return int(open_rows[0]) if open_rows.size else prediction.theta.size
+
+
+def wrong_locally(start: Start, clock: Clock, columns: Columns) -> tuple[npt.NDArray[np.bool_], ...]:
+    """Rows, but the first, that do not follow by Runge-Kutta from the row before, as far as its digits tell."""
+    theta, omega = columns.theta, columns.omega
+    between = np.maximum(np.diff(clock.steps), 0)
+    wrong = [np.zeros(theta.values.size, bool) for _ in range(2)]
+    if between.max(initial=0) > MOST_WORK // 64 or between.size == 0:
+        return tuple(wrong)
+    # As printed; one unit farther on; and with half the step, for Runge-Kutta's own error.
+    moved = ((0, 0), (1, 0), (0, 1), (0, 0))
+    starts = [
+        Start(float(theta.values[i] + a * theta.units[i]), float(omega.values[i] + b * omega.units[i]), start.alpha)
+        for i in range(between.size)
+        for a, b in moved
+    ]
+    usual = [clock._replace(steps=between[i : i + 1]) for i in range(between.size)]
+    finer = [clock._replace(steps=2 * each.steps, dt=clock.dt / 2) for each in usual]
+    clocks = [each for pair in zip(usual, finer, strict=True) for each in (pair[0], pair[0], pair[0], pair[1])]
+    motion = replay([RIGHT] * len(starts), clocks, starts)
+    for each, column, is_angle in zip(wrong, (theta, omega), (True, False), strict=True):
+        after = (motion.theta if is_angle else motion.omega).reshape(-1, len(moved))
+        slack = np.abs(after[:, 1:] - after[:, :1]).sum(axis=1) + column.units[1:] + ROUNDING
+        off = column.values[1:] - after[:, 0]
+        each[1:] = ~(np.abs(wrap(off) if is_angle else off) <= 2 * slack)
+    return tuple(wrong)
+
+
+# Printed states.
+
+
+class Printing(NamedTuple):
+    """How states are printed, and the mistakes in it."""
+
+    theta_factor: float = 1.0
+    omega_factor: float = 1.0
+    form: str = "signed"
+    mistakes: tuple[Mistake, ...] = ()
+
+
+def _printing(mistakes: tuple[Mistake, ...]) -> Printing:
+    program = RIGHT
+    for mistake in mistakes:
+        program = mistake.of(program)
+    return Printing(program.theta_factor, program.omega_factor, program.form, mistakes)
+
+
+AS_ASKED = Printing()
+WRONGLY = tuple(_printing((mistake,)) for mistake in (*PRINTINGS, BOTH_IN_DEGREES))
+
+
+def misfits(prediction: Prediction, printing: Printing, theta: Column, omega: Column) -> tuple[npt.NDArray[np.bool_], ...]:
+    """Rows in which the angle, but for whole turns, and the velocity are not those predicted."""
+    n = prediction.theta.size
+    angle, velocity = theta.scaled(1 / printing.theta_factor), omega.scaled(1 / printing.omega_factor)
+    wanted_theta = np.abs(prediction.theta) if printing.form == "absolute" else prediction.theta
+    wanted_omega = wrap(prediction.omega) if printing.form == "normalised" else prediction.omega
+    with np.errstate(invalid="ignore"):
+        theta_off = np.abs(wrap(angle.values[:n] - wanted_theta))
+        omega_off = np.abs(velocity.values[:n] - wanted_omega)
+        return (
+            ~(theta_off <= np.abs(angle.units[:n]) + prediction.theta_slack),
+            ~(omega_off <= np.abs(velocity.units[:n]) + prediction.omega_slack),
+        )
+
+
+def fits(prediction: Prediction, printing: Printing, columns: Columns) -> bool:
+    """Whether all rows are as predicted."""
+    return not any(wrong.any() for wrong in misfits(prediction, printing, columns.theta, columns.omega))
+
+
+def are_cells(wrong: int, rows: int) -> bool:
+    """Whether so few of the rows are wrong that they are no mistake of the program."""
+    return rows > 3 and wrong <= max(1, FEW_CELLS * rows)

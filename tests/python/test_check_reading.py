@@ -75,6 +75,10 @@ LAYOUTS = {
     "text between rows": (PLAIN.replace("\n0.2", "\n--- Page 2 ---\n\n0.2"), ("extra_text",)),
     "text after the rows": (f"{HEADER}\n{PLAIN}Fin del programa. Tiempo: 0.12 s\n", ("extra_text",)),
     "three numbers to a line, as Fortran folds them": (each_row(" {0} {1} {2}\n {3}\n"), ("folded_records",)),
+    "three numbers to a line below a header of four words": (
+        f"  t         angulo      velocidad funcionSinusoidal\n{each_row(' {0} {1} {2}' + chr(10) + ' {3}' + chr(10))}",
+        ("folded_records",),
+    ),
     "two numbers to a line": (f"{HEADER}\n" + each_row("{0} {1}\n{2} {3}\n"), ("folded_records",)),
     "a number to a line": (f"{HEADER}\n" + each_row("{0}\n{1}\n{2}\n{3}\n"), ("folded_records",)),
     "Python's lists": (each_row("[{0}, {1}, {2}, {3}]\n"), ("brackets",)),
@@ -301,6 +305,14 @@ def test_what_is_printed_before_each_table_is_no_row():
     assert [dict(table.notes)["extra_text"]["line"] for table in found] == [1, 6, 11]
 
 
+@pytest.mark.parametrize("lead", ["", "1 0 1\n"])
+def test_nothing_begins_anew_where_the_header_names_no_time(lead):
+    rows = "".join("{:.6g} {:.6g} {:.6g}\n".format(*np.cos([0.3 * row, 0.3 * row + 1, 0.3 * row])) for row in range(60))
+    (table,) = tables("angulo velocidad funcionSinusoidal\n" + lead + rows)
+    assert table.values.shape == (60 + bool(lead), 3)
+    assert table.notes == (("no_time", {}),)
+
+
 def test_time_is_found_where_it_is_not_the_first_column():
     rows = [(np.sin(0.3 * row), 0.1 * row, np.cos(0.3 * row)) for row in range(60)]
     assert len(tables("".join("{:.6f} {:.6f} {:.6f}\n".format(*row) for row in rows * 2))) == 2
@@ -390,6 +402,30 @@ def test_one_number_with_fewer_digits_does_not_make_the_others_less_exact():
     assert units("1.5", *values)[0] == -1  # the initial state, as it was given
 
 
+def test_times_that_are_even_but_for_the_first_are_as_exact_as_the_numbers_beside_them():
+    lines = [f"{0.1 * row:.7g} {np.cos(0.1 * row):.7g} {-np.sin(0.1 * row):.7g}\n" for row in range(30)]
+    (table,) = tables("".join(["3e-07 1 0\n", *lines[1:]]))
+    assert np.rint(np.log10(table.units[:3, 0])).tolist() == [-13, -7, -7]
+
+
+def test_numbers_of_fixed_decimals_are_no_more_exact_where_zeros_are_left_out():
+    rounded, others = ["-1.2697665072", "-0.8841189072", "-0.6912951072"], ["0.1928238", "0.3856476", "1.1569428", "2.3138856"]
+    assert units(*rounded, *others, others="1.3989019852") == [-10] * 7
+
+
+def test_rows_with_exponents_among_those_without_are_told_apart():
+    """As NumPy prints rows, to six decimals."""
+    rows = np.array([[0.1 * row + 1 / 3, 30 * np.cos(0.1 * row), np.sin(0.1 * row - 0.5 - 1e-7)] for row in range(30)])
+    with np.printoptions(precision=6):
+        lines = [str(row) for row in rows]
+    (table,) = tables("\n".join(lines))
+    has_exponents = np.array(["e" in line for line in lines])
+    assert has_exponents.sum() == 1
+    powers = np.rint(np.log10(table.units)).astype(int)
+    assert np.all(powers[~has_exponents] == -6)
+    assert powers[has_exponents].tolist() == [[-7, -5, -13]]
+
+
 @settings(max_examples=200)
 @given(
     st.lists(st.floats(-100, 100).filter(lambda value: value == 0 or abs(value) > 1e-4), min_size=8, max_size=60),
@@ -445,7 +481,7 @@ def test_accents_survive_their_encoding(encoding, tmp_path):
 )
 def test_what_is_no_table_is_refused_with_its_reason(data, reason):
     with pytest.raises(UnreadableError) as refused:
-        tables(decoded(data))
+        tables(*decoded(data))
     assert refused.value.name == reason
 
 

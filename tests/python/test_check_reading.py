@@ -413,6 +413,19 @@ def test_numbers_of_fixed_decimals_are_no_more_exact_where_zeros_are_left_out():
     assert units(*rounded, *others, others="1.3989019852") == [-10] * 7
 
 
+def test_times_that_are_even_to_all_decimals_are_no_more_exact_than_printed():
+    times = ["0.", "0.0559853535", "0.111970707", "0.1679560605", "0.223941414", "0.2799267675"]
+    others = ["5.879932022", "4.603723189", "3.4234591461", "2.3663665355", "1.4178404891", "0.5426596153"]
+    (table,) = tables("".join(f"{time} {other}\n" for time, other in zip(times, others, strict=True)))
+    assert set(table.units[1:, 0]) == {1e-10}
+
+
+def test_a_digit_more_in_numbers_with_an_exponent_is_no_digit_of_the_others():
+    """As Intel's Fortran prints single precision."""
+    (table,) = tables("0.0000000E+00 0.5000000\n0.1483260 0.4637110\n1.298652 -6.9888796E-03\n2.444978 -0.2275320\n")
+    assert np.rint(np.log10(table.units[1:])).tolist() == [[-7, -7], [-6, -10], [-6, -7]]
+
+
 def test_rows_with_exponents_among_those_without_are_told_apart():
     """As NumPy prints rows, to six decimals."""
     rows = np.array([[0.1 * row + 1 / 3, 30 * np.cos(0.1 * row), np.sin(0.1 * row - 0.5 - 1e-7)] for row in range(30)])

@@ -29,6 +29,10 @@ class Cells(NamedTuple):
     """Digits behind the point, less the exponent."""
     has_exponent: Flags
 
+    def at(self, rows: Flags) -> Cells:
+        """Those of some rows."""
+        return Cells(self.values[rows], self.digits[rows], self.decimals[rows], self.has_exponent[rows])
+
 
 def cells_of(rows: Sequence[str], width: int) -> Cells:
     """The first numbers of each row, `width` of them."""
@@ -60,7 +64,7 @@ def _chunk(numbers: Sequence[str]) -> Cells:
     is_behind = np.logical_or.accumulate(letters == ord("."), axis=1)
     is_significant = np.logical_or.accumulate(is_digit & (letters != ord("0")), axis=1)
     decimals = (is_digit & is_behind).sum(axis=1)
-    has_exponent: Flags = is_exponent.any(axis=1)
+    has_exponent = np.asarray(is_exponent.any(axis=1))
     for place in np.flatnonzero(has_exponent).tolist():
         decimals[place] -= int(numbers[place].lower().partition("e")[2][:5] or 0)
     return Cells(np.array(list(map(float, numbers))), (is_digit & is_significant).sum(axis=1), decimals, has_exponent)
@@ -76,26 +80,30 @@ def units_of(cells: Cells) -> Floats:
     as many decimals; zeros at the end may have been left out. Where both may be, it is the larger unit.
     """
     # NumPy prints an array, so a row, with exponents in all of its numbers or in none; with them it leaves out no digits.
-    is_scientific: Flags = (cells.has_exponent | np.isnan(cells.values)).all(axis=1)
+    is_scientific = np.asarray((cells.has_exponent | np.isnan(cells.values)).all(axis=1))
     is_alike = not cells.has_exponent[~is_scientific].any() and not is_scientific.all()
     apart = is_scientific if is_alike else np.zeros_like(is_scientific)
     powers = -cells.decimals
-    powers[~apart] = _powers(cells.values[~apart], cells.digits[~apart], cells.decimals[~apart])
+    powers[~apart] = _powers(cells.at(~apart))
     powers[apart] = np.where(cells.digits[apart] > 0, powers[apart], powers.min(axis=0))
     with np.errstate(over="ignore"):
         return np.power(10.0, powers)
 
 
-def _powers(values: Floats, digits: Integers, decimals: Integers) -> Integers:
+def _powers(cells: Cells) -> Integers:
     """Powers of ten of the units of rows that were printed alike."""
+    values, digits, decimals, has_exponent = cells
     cut = [not _is_fixed(column[np.isfinite(value)]) for value, column in zip(values.T, decimals.T, strict=True)]
-    longest = [_longest(column[column > 0]) for column in digits.T]
+    # Intel's Fortran shows a digit more in numbers with an exponent.
+    is_more = _longest(digits[has_exponent]) == _longest(digits[~has_exponent]) + 1
+    longest = [_longest(column[column > 0]) for column in (digits - is_more * has_exponent).T]
     # A stream prints all columns alike: one of round numbers has as many digits as those beside it.
     beside = max((most for most, is_cut in zip(longest, cut, strict=True) if is_cut), default=0)
     powers = np.zeros(values.shape, np.int64)
     for place, (value, digit, decimal) in enumerate(zip(values.T, digits.T, decimals.T, strict=True)):
         significant = max(longest[place], beside) if cut[place] else longest[place]
-        is_even = cut[place] and significant > longest[place] and _is_even(value, decimal)
+        # A digit less than others have may also be the zero before the point of numbers with fixed decimals.
+        is_even = cut[place] and significant > longest[place] + 1 and _is_even(value, decimal)
         powers[:, place] = _powers_of_column(value, digit, decimal, significant, is_even)
     return powers
 

@@ -119,6 +119,12 @@ def test_all_layouts_are_one_table(layout):
     assert places == {"t": 0, "theta": 1, "omega": 2, "sine": 3}
 
 
+def test_rows_are_folded_to_the_header_that_names_most_in_fewest_words():
+    lines = "".join("\n".join(row.split()[:3]) + "\n" for row in PLAIN.splitlines() * 4)
+    (table, *_) = tables("t  angulo medido  velocidad\n" + lines)
+    assert np.array_equal(table.values, np.array(FOUR)[:, :3])
+
+
 @pytest.mark.parametrize("end", ["\n", "\r\n", "\n\n", "\r"])
 @pytest.mark.parametrize("lead", ["", "  ", "\t"])
 @pytest.mark.parametrize(
@@ -339,6 +345,11 @@ def test_columns_beside_the_four_are_never_the_sinusoid():
         assert "sine" not in next(placements(table, oscillates=True))[1]
     (table,) = tables(table_of(4, "t angulo velocidad aproximacion\n"))
     assert next(placements(table, oscillates=True))[1]["sine"] == 3
+
+
+def test_a_column_before_the_sinusoid_is_not_offered_as_the_sinusoid():
+    (table,) = tables(table_of(5, "t angulo velocidad energia funcionSinusoidal\n"))
+    assert [(name, places["sine"]) for name, places in placements(table, oscillates=True)] == [("", 4), ("swapped", 4)]
 
 
 def test_without_a_header_the_possible_placements_are_offered():

@@ -209,6 +209,8 @@ def _placements(table: Table, oscillates: bool) -> Iterator[tuple[str, dict[str,
     if not oscillates and width == len(ROLES) and (not named or "sine" in named):
         has_sine = True  # one too many
     in_order = dict(zip(ROLES[: 4 if has_sine else 3], range(width), strict=False))
+    if is_named and all(named[role] == in_order[role] for role in STATE):
+        in_order = named  # the header may be wrong in the order of these, not in the sinusoid's place
     yield "header_order" if is_named else "", in_order
     if not is_named:
         yield from (("", places) for places in _unnamed_placements(width, has_sine))

@@ -109,8 +109,9 @@ def _unfold(run: Run) -> None:
     sizes = [line.size for line in run.rows]
     if not sizes or min(sizes) == max(sizes) > 2:
         return
-    widths = {len(header) for header in run.headers if len(header) >= 3}
-    for width in sorted(widths, reverse=True):
+    headers = sorted(run.headers, key=lambda header: (-len(roles_of(header)), len(header)))
+    widths = [len(header) for header in headers if len(header) >= 3]
+    for width in widths:
         ends = _ends_by_width(sizes, width)
         if ends:
             parts = [run.rows[start:stop] for start, stop in pairwise([0, *ends])]

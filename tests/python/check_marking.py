@@ -49,7 +49,7 @@ def problem(text: str) -> Problem:
 
 def told(text: str, data: bytes) -> Told:
     """What is said of a file with the table of one problem."""
-    found = tables(decoded(data))
+    found = tables(*decoded(data))
     if len(found) != 1:
         several = frozenset({f"{len(found)}_tables"})
         return Told(several, frozenset(), (several,))
@@ -94,7 +94,7 @@ def names(judgement: Judgement) -> Told:
 
 def columns_of(data: bytes, oscillates: bool) -> Iterator[list[Column]]:
     """t, theta, omega and, where there is one, the sinusoid, at each place where they may rightly be in a file with one table."""
-    (table,) = tables(decoded(data))
+    (table,) = tables(*decoded(data))
     for mistake, places in placements(table, oscillates):
         columns = columns_at(table, places)
         if columns is not None and not mistake:

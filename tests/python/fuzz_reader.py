@@ -70,7 +70,7 @@ def damaged(random_: random.Random) -> bytes:
 def check(data: bytes) -> bool:
     """Whether there are tables; all of them are well formed."""
     try:
-        found = tables(decoded(data))
+        found = tables(*decoded(data))
     except UnreadableError as error:
         assert str(error) or error.name
         return False

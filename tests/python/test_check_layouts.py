@@ -39,4 +39,4 @@ def test_tables_one_below_another_are_told_apart(name):
     data = [LAYOUTS[name](rows, 6) for rows in (OSCILLATION, ROTATION, OSCILLATION)]
     if name == "utf_16":  # a file has one mark
         data = [data[0], *(each[2:] for each in data[1:])]
-    assert [table.values.shape[0] for table in tables(decoded(b"".join(data)))] == [len(TIMES)] * 3
+    assert [table.values.shape[0] for table in tables(*decoded(b"".join(data)))] == [len(TIMES)] * 3

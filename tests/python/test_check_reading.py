@@ -75,6 +75,10 @@ LAYOUTS = {
     "text between rows": (PLAIN.replace("\n0.2", "\n--- Page 2 ---\n\n0.2"), ("extra_text",)),
     "text after the rows": (f"{HEADER}\n{PLAIN}Fin del programa. Tiempo: 0.12 s\n", ("extra_text",)),
     "three numbers to a line, as Fortran folds them": (each_row(" {0} {1} {2}\n {3}\n"), ("folded_records",)),
+    "three numbers to a line below a header of four words": (
+        f"  t         angulo      velocidad funcionSinusoidal\n{each_row(' {0} {1} {2}' + chr(10) + ' {3}' + chr(10))}",
+        ("folded_records",),
+    ),
     "two numbers to a line": (f"{HEADER}\n" + each_row("{0} {1}\n{2} {3}\n"), ("folded_records",)),
     "a number to a line": (f"{HEADER}\n" + each_row("{0}\n{1}\n{2}\n{3}\n"), ("folded_records",)),
     "Python's lists": (each_row("[{0}, {1}, {2}, {3}]\n"), ("brackets",)),
@@ -113,6 +117,12 @@ def test_all_layouts_are_one_table(layout):
     assert {name for name, _ in table.notes} == set(notes)
     _, places = next(placements(table, oscillates=True))
     assert places == {"t": 0, "theta": 1, "omega": 2, "sine": 3}
+
+
+def test_rows_are_folded_to_the_header_that_names_most_in_fewest_words():
+    lines = "".join("\n".join(row.split()[:3]) + "\n" for row in PLAIN.splitlines() * 4)
+    (table, *_) = tables("t  angulo medido  velocidad\n" + lines)
+    assert np.array_equal(table.values, np.array(FOUR)[:, :3])
 
 
 @pytest.mark.parametrize("end", ["\n", "\r\n", "\n\n", "\r"])
@@ -301,6 +311,14 @@ def test_what_is_printed_before_each_table_is_no_row():
     assert [dict(table.notes)["extra_text"]["line"] for table in found] == [1, 6, 11]
 
 
+@pytest.mark.parametrize("lead", ["", "1 0 1\n"])
+def test_nothing_begins_anew_where_the_header_names_no_time(lead):
+    rows = "".join("{:.6g} {:.6g} {:.6g}\n".format(*np.cos([0.3 * row, 0.3 * row + 1, 0.3 * row])) for row in range(60))
+    (table,) = tables("angulo velocidad funcionSinusoidal\n" + lead + rows)
+    assert table.values.shape == (60 + bool(lead), 3)
+    assert table.notes == (("no_time", {}),)
+
+
 def test_time_is_found_where_it_is_not_the_first_column():
     rows = [(np.sin(0.3 * row), 0.1 * row, np.cos(0.3 * row)) for row in range(60)]
     assert len(tables("".join("{:.6f} {:.6f} {:.6f}\n".format(*row) for row in rows * 2))) == 2
@@ -327,6 +345,11 @@ def test_columns_beside_the_four_are_never_the_sinusoid():
         assert "sine" not in next(placements(table, oscillates=True))[1]
     (table,) = tables(table_of(4, "t angulo velocidad aproximacion\n"))
     assert next(placements(table, oscillates=True))[1]["sine"] == 3
+
+
+def test_a_column_before_the_sinusoid_is_not_offered_as_the_sinusoid():
+    (table,) = tables(table_of(5, "t angulo velocidad energia funcionSinusoidal\n"))
+    assert [(name, places["sine"]) for name, places in placements(table, oscillates=True)] == [("", 4), ("swapped", 4)]
 
 
 def test_without_a_header_the_possible_placements_are_offered():
@@ -390,6 +413,43 @@ def test_one_number_with_fewer_digits_does_not_make_the_others_less_exact():
     assert units("1.5", *values)[0] == -1  # the initial state, as it was given
 
 
+def test_times_that_are_even_but_for_the_first_are_as_exact_as_the_numbers_beside_them():
+    lines = [f"{0.1 * row:.7g} {np.cos(0.1 * row):.7g} {-np.sin(0.1 * row):.7g}\n" for row in range(30)]
+    (table,) = tables("".join(["3e-07 1 0\n", *lines[1:]]))
+    assert np.rint(np.log10(table.units[:3, 0])).tolist() == [-13, -7, -7]
+
+
+def test_numbers_of_fixed_decimals_are_no_more_exact_where_zeros_are_left_out():
+    rounded, others = ["-1.2697665072", "-0.8841189072", "-0.6912951072"], ["0.1928238", "0.3856476", "1.1569428", "2.3138856"]
+    assert units(*rounded, *others, others="1.3989019852") == [-10] * 7
+
+
+def test_times_that_are_even_to_all_decimals_are_no_more_exact_than_printed():
+    times = ["0.", "0.0559853535", "0.111970707", "0.1679560605", "0.223941414", "0.2799267675"]
+    others = ["5.879932022", "4.603723189", "3.4234591461", "2.3663665355", "1.4178404891", "0.5426596153"]
+    (table,) = tables("".join(f"{time} {other}\n" for time, other in zip(times, others, strict=True)))
+    assert set(table.units[1:, 0]) == {1e-10}
+
+
+def test_a_digit_more_in_numbers_with_an_exponent_is_no_digit_of_the_others():
+    """As Intel's Fortran prints single precision."""
+    (table,) = tables("0.0000000E+00 0.5000000\n0.1483260 0.4637110\n1.298652 -6.9888796E-03\n2.444978 -0.2275320\n")
+    assert np.rint(np.log10(table.units[1:])).tolist() == [[-7, -7], [-6, -10], [-6, -7]]
+
+
+def test_rows_with_exponents_among_those_without_are_told_apart():
+    """As NumPy prints rows, to six decimals."""
+    rows = np.array([[0.1 * row + 1 / 3, 30 * np.cos(0.1 * row), np.sin(0.1 * row - 0.5 - 1e-7)] for row in range(30)])
+    with np.printoptions(precision=6):
+        lines = [str(row) for row in rows]
+    (table,) = tables("\n".join(lines))
+    has_exponents = np.array(["e" in line for line in lines])
+    assert has_exponents.sum() == 1
+    powers = np.rint(np.log10(table.units)).astype(int)
+    assert np.all(powers[~has_exponents] == -6)
+    assert powers[has_exponents].tolist() == [[-7, -5, -13]]
+
+
 @settings(max_examples=200)
 @given(
     st.lists(st.floats(-100, 100).filter(lambda value: value == 0 or abs(value) > 1e-4), min_size=8, max_size=60),
@@ -445,7 +505,7 @@ def test_accents_survive_their_encoding(encoding, tmp_path):
 )
 def test_what_is_no_table_is_refused_with_its_reason(data, reason):
     with pytest.raises(UnreadableError) as refused:
-        tables(decoded(data))
+        tables(*decoded(data))
     assert refused.value.name == reason
 
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING, NamedTuple
 
+from pendula.check._columns import headers_of, role_of, roles_of
 from pendula.check._text import MOST_COLUMNS, MOST_KINDS, MOST_LETTERS, MOST_LINES, MOST_NUMBERS, UnreadableError
-from pendula.check._words import headers_of, role_of, roles_of
 
 if TYPE_CHECKING:
     from collections.abc import Iterator

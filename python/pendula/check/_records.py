@@ -7,9 +7,9 @@ from collections import Counter
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
+from pendula.check._columns import roles_of
 from pendula.check._lines import ROW, TEXT, Line, Lines
 from pendula.check._text import MOST_TABLES, UnreadableError
-from pendula.check._words import roles_of
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
@@ -109,17 +109,17 @@ def _unfold(run: Run) -> None:
     sizes = [line.size for line in run.rows]
     if not sizes or min(sizes) == max(sizes) > 2:
         return
-    widths = {len(header) for header in run.headers if len(header) >= 3}
-    if Counter(sizes).most_common(1)[0][0] in widths:
-        return
-    for width in sorted(widths):
+    headers = sorted(run.headers, key=lambda header: (-len(roles_of(header)), len(header)))
+    widths = [len(header) for header in headers if len(header) >= 3]
+    for width in widths:
         ends = _ends_by_width(sizes, width)
         if ends:
             parts = [run.rows[start:stop] for start, stop in pairwise([0, *ends])]
             run.rows = [*map(_joined, parts), *run.rows[ends[-1] :]]
             run.is_folded = True
             return
-    _unfold_periods(run, sizes)
+    if Counter(sizes).most_common(1)[0][0] not in widths:
+        _unfold_periods(run, sizes)
 
 
 def _ends_by_width(sizes: Sequence[int], width: int) -> list[int]:

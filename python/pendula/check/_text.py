@@ -7,12 +7,17 @@ import re
 import sys
 from contextlib import contextmanager, nullcontext
 from pathlib import Path
-from typing import TYPE_CHECKING, BinaryIO
+from typing import TYPE_CHECKING, BinaryIO, TypeAlias
 
 from pendula._command import BAD_USAGE, RefusedError, Text
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
+
+    from pendula.check._finding import Value
+
+Note: TypeAlias = "tuple[str, dict[str, Value]]"
+"""The name of a finding, and its values."""
 
 # Bounds that no coursework comes near to. They keep any file within two seconds and 200 MB.
 MOST_BYTES = 1 << 23
@@ -95,14 +100,8 @@ CONTROLS = re.compile(rb"[\0-\x08\x0e-\x19\x1c-\x1f]")
 CONTROLS_READ = re.compile(r"[\0-\x08\x0e-\x19\x1c-\x1f]")
 
 
-def _marked(data: bytes) -> str:
-    return next((name for mark, name in MARKS if data.startswith(mark)), "")
-
-
-def unmarked_utf16(data: bytes) -> str:
+def _unmarked_utf16(data: bytes) -> str:
     """The encoding of UTF-16 without its mark, in which every other byte of digits is 0; "" for another one."""
-    if _marked(data):
-        return ""
     sample = data[:SAMPLE]
     for encoding, first in (("utf-16-le", 1), ("utf-16-be", 0)):
         others = sample[1 - first :: 2]
@@ -111,19 +110,23 @@ def unmarked_utf16(data: bytes) -> str:
     return ""
 
 
-def decoded(data: bytes, path: str = "") -> str:
-    """UTF-8, UTF-16 with its mark or without, or else Latin-1, in which only letters of a header can be wrong."""
+def decoded(data: bytes, path: str = "") -> tuple[str, tuple[Note, ...]]:
+    """UTF-8, UTF-16 with its mark or without, or else Latin-1, in which only letters of a header can be wrong.
+
+    With what there is to say of it.
+    """
     if not data.strip():
         raise UnreadableError("empty", path)
-    encoding = _marked(data) or unmarked_utf16(data)
+    marked = next((name for mark, name in MARKS if data.startswith(mark)), "")
+    encoding = marked or _unmarked_utf16(data)
     if not encoding and CONTROLS.search(data):
         raise UnreadableError("binary", path)
     if encoding.startswith(("utf-16", "utf-32")):
         text = data.decode(encoding, errors="replace")
         if CONTROLS_READ.search(text):
             raise UnreadableError("binary", path)
-        return text
+        return text, () if marked else (("no_mark_utf16", {}),)
     try:
-        return data.decode("utf-8-sig")
+        return data.decode("utf-8-sig"), ()
     except UnicodeDecodeError:
-        return data.decode("latin-1")
+        return data.decode("latin-1"), ()

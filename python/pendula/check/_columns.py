@@ -1,14 +1,20 @@
-"""The words above columns, and which quantity each names."""
+"""Which quantity each column holds: by the words above it, or by its place."""
 
 from __future__ import annotations
 
 import re
 import unicodedata
 from functools import lru_cache
-from typing import TYPE_CHECKING
+from itertools import islice, product
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Iterator, Sequence
+
+    from pendula.check._digits import Floats, Integers
+    from pendula.check._table import Table
 
 ROLES = ("t", "theta", "omega", "sine")  # in the assignment's order
 WORDS = ("t", "angulo", "velocidad", "funcionSinusoidal")
@@ -64,6 +70,12 @@ def role_of(word: str) -> str:
         plain = plain[1:-1]
     letters = LETTERS.match(re.sub(r"[\s_.\-^]", "", plain))
     return next((role for role, expression in NAMES if letters and expression.match(letters[0])), "")
+
+
+def is_timeless(header: Sequence[str], width: int) -> bool:
+    """Whether a header names an angle and a velocity, and of all its columns none as a time."""
+    roles = roles_of(header)
+    return len(header) >= width and "t" not in roles and {"theta", "omega"} <= roles.keys()
 
 
 # Names of several words; what they are joined with is no space.
@@ -137,3 +149,116 @@ def fitting(headers: Sequence[tuple[str, ...]], width: int) -> tuple[str, ...]:
         if first >= len(header) - width:
             return header[first:]
     return header
+
+
+# Columns of a table.
+
+
+class Column(NamedTuple):
+    """What was printed of a quantity."""
+
+    values: Floats
+    units: Floats
+    """Of the last digits."""
+
+    def nearby(self) -> tuple[Floats, Floats, Floats]:
+        """The values, and those one unit of the last digit below and above."""
+        return self.values, self.values - self.units, self.values + self.units
+
+    def scaled(self, unit: float) -> Column:
+        """The column in another unit."""
+        return Column(self.values * unit, self.units * unit)
+
+
+class Columns(NamedTuple):
+    """What was printed, in rows that have a time and a state."""
+
+    t: Column
+    theta: Column
+    omega: Column
+    sine: Column | None
+    lines: Integers
+    """The rows' lines in the file."""
+    digits: int
+    """Significant ones of the states."""
+
+
+MOST_PLACEMENTS = 12
+
+
+def placements(table: Table, oscillates: bool) -> Iterator[tuple[str, dict[str, int]]]:
+    """Where the columns may be, and the mistake that puts them there: as the header says, in order, beside others, swapped."""
+    seen: list[dict[str, int]] = []
+    for name, places in islice(_placements(table, oscillates), MOST_PLACEMENTS):
+        if places not in seen:
+            seen.append(places)
+            yield name, places
+
+
+def _placements(table: Table, oscillates: bool) -> Iterator[tuple[str, dict[str, int]]]:
+    width = table.values.shape[1]
+    named = {role: place for role, place in roles_of(table.header).items() if place < width}
+    is_named = set(STATE) <= named.keys()
+    if is_named:
+        yield from (("", places) for places in _named_placements(table.header, named, width, oscillates))
+    elif is_timeless(table.header, width):
+        return
+    if width < len(STATE):
+        return
+    has_sine = oscillates and width > len(STATE)
+    if not oscillates and width == len(ROLES) and (not named or "sine" in named):
+        has_sine = True  # one too many
+    in_order = dict(zip(ROLES[: 4 if has_sine else 3], range(width), strict=False))
+    if is_named and all(named[role] == in_order[role] for role in STATE):
+        in_order = named  # the header may be wrong in the order of these, not in the sinusoid's place
+    yield "header_order" if is_named else "", in_order
+    if not is_named:
+        yield from (("", places) for places in _unnamed_placements(width, has_sine))
+    yield "swapped", in_order | {"theta": in_order["omega"], "omega": in_order["theta"]}
+    if is_named:
+        yield "swapped", named | {"theta": named["omega"], "omega": named["theta"]}
+
+
+def _named_placements(header: Sequence[str], named: dict[str, int], width: int, oscillates: bool) -> Iterator[dict[str, int]]:
+    """As the header says; where it names the angle or the velocity twice, all pairs of them, Runge-Kutta's first."""
+    roles = [role_of(word) for word in header[:width]]
+    if "sine" not in named and oscillates:
+        roles += [""] * (width - len(roles))
+        # The first column without a known name, at the right, may be the sinusoid.
+        unknown = [place for place, role in enumerate(roles) if not role and place > max(named[role] for role in STATE)]
+        if len(unknown) == 1:
+            named = named | {"sine": unknown[0]}
+    angles, velocities = ([place for place, role in enumerate(roles) if role == wanted] for wanted in ("theta", "omega"))
+
+    def rank(pair: tuple[int, int]) -> tuple[bool, bool, int]:
+        words = [header[place].lower() for place in pair]
+        is_asked = all("rk" in word or "runge" in word for word in words)
+        return not is_asked, angles.index(pair[0]) != velocities.index(pair[1]), angles.index(pair[0])
+
+    for angle, velocity in sorted(product(angles, velocities), key=rank):
+        yield named | {"theta": angle, "omega": velocity}
+
+
+def _unnamed_placements(width: int, has_sine: bool) -> Iterator[dict[str, int]]:
+    """After a column that numbers the rows, with other columns before the sinusoid, and beside those of another method."""
+    size = 4 if has_sine else 3
+    if width > 3:
+        yield dict(zip(ROLES[: min(size, width - 1)], range(1, width), strict=False))
+    if has_sine:
+        yield from ({"t": 0, "theta": 1, "omega": 2, "sine": place} for place in (width - 1, width - 2) if place > 3)
+    if width > 4:
+        yield {"t": 0, "theta": 3, "omega": 4} | ({"sine": 5} if has_sine and width > 5 else {})
+        yield {"t": 0, "theta": 2, "omega": 4} | ({"sine": 5} if has_sine and width > 5 else {})
+    if width > 6:
+        yield {"t": 0, "theta": 4, "omega": 5} | ({"sine": 6} if has_sine else {})
+
+
+def columns_at(table: Table, places: dict[str, int]) -> Columns | None:
+    """The columns at these places, in whole rows that have a time and a state; None if there are none."""
+    state = [places[role] for role in STATE]
+    rows = np.isfinite(table.values[:, state]).all(axis=1) & ~np.isin(table.lines, table.ragged)
+    if not rows.any():
+        return None
+    found = {role: Column(table.values[rows, place], table.units[rows, place]) for role, place in places.items()}
+    digits = int(table.digits[state[1:]].min())
+    return Columns(found["t"], found["theta"], found["omega"], found.get("sine"), table.lines[rows], digits)

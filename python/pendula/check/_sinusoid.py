@@ -119,17 +119,19 @@ def of_sinusoid(
         return [error("sine_not_numbers", line=int(columns.lines[~np.isfinite(sine.values)][0]))]
     t = Column(columns.t.values * timing.unit, columns.t.units * timing.unit)
     rows = Column(timing.clock.t, timing.clock.unsure)
+    # Where the times printed are wrong, it may be that of them or of the states.
+    bases = (rows, t, columns.t) if timing.changes else (rows,)
     right = right_sinusoid(start, timing.tau)
     if factor != 1 and not np.all(fits(right.at, start, rows, sine)):
         sine = sine.scaled(1 / factor)  # told with the angle
-    for times in (rows, t, columns.t):
+    for times in bases:
         if np.all(fits(right.at, start, times, sine, doubt)):
             outside = np.any(np.abs(sine.values) > np.pi + sine.units)
             return [error("sine_not_wrapped")] if outside else []
     if is_rough:
         return []  # as inaccurate as the states
     named = []
-    for times in (rows, t, columns.t):
+    for times in bases:
         for name, wrong in wrong_sinusoids(start, timing.tau, timing.clock.dt):
             if name not in named and np.all(fits(wrong.at, start, times, sine)):
                 named.append(name)

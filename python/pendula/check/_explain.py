@@ -10,7 +10,7 @@ import numpy as np
 
 from pendula.check._mistakes import ALPHAS, EQUATIONS, ROWS, SINGLE, STARTS, STEPPERS, Mistake
 from pendula.check._predict import AS_ASKED, MOST_WORK, ROUNDING, WRONGLY, Prediction, Printing, Run, fits, predictions, wrap
-from pendula.check._program import RIGHT, Problem, Program, Start, closed_form, replay, taken
+from pendula.check._program import RIGHT, Problem, Program, Start, closed_form, paced, replay, taken
 from pendula.check._timing import Timing, timings
 
 if TYPE_CHECKING:
@@ -46,7 +46,7 @@ class Candidate(NamedTuple):
     @property
     def run(self) -> Run:
         """What is replayed of it."""
-        return Run(self.program, self.timing.clock, self.reading.start)
+        return Run(self.program, paced(self.program, self.timing.clock), self.reading.start)
 
     @property
     def changes(self) -> int:
@@ -62,7 +62,7 @@ def readings(problem: Problem, mistakes: Sequence[Mistake]) -> list[Reading]:
         program = mistake.of(RIGHT)
         start = taken(program, problem)
         key = (start, program.pi)
-        if key == (right, math.pi) or not all(map(np.isfinite, start)) or not start.alpha > 0:
+        if key == (right, math.pi) or _is_idle(mistake, problem) or not all(map(np.isfinite, start)) or not start.alpha > 0:
             continue
         if key in found:
             found[key] = found[key]._replace(same=(*found[key].same, mistake))
@@ -100,6 +100,13 @@ def explanations(problem: Problem, columns: Columns, places: Floats, changes: in
         if len(found) > MOST_ALTERNATIVES:
             break
     return found
+
+
+def _is_idle(mistake: Mistake, problem: Problem) -> bool:
+    """Whether a mistake in both quantities would need another unit of one of them."""
+    units = {"theta0": problem.theta0_unit, "omega0": problem.omega0_unit}
+    factors = [mistake.changes[name][unit == "s"] for name, unit in units.items() if name in mistake.changes]
+    return mistake.name.startswith("both_") and 1.0 in factors
 
 
 def _candidates(known: Sequence[tuple[Reading, list[Timing]]], columns: Columns, changes: int) -> Iterator[Candidate]:
@@ -182,7 +189,7 @@ def _roughly(candidates: Sequence[Candidate]) -> list[Prediction]:
     """The first rows that the candidates print, within more than what is legitimately unknown."""
     if not candidates:
         return []
-    clocks = [each.timing.clock for each in candidates]
+    clocks = [each.run.clock for each in candidates]
     clocks = [clock._replace(steps=clock.steps[:FIRST_ROWS]) for clock in clocks]
     motion = replay([each.program for each in candidates], clocks, [each.reading.start for each in candidates])
     rough = []

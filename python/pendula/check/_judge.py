@@ -274,9 +274,9 @@ def _of_states(problem: Problem, view: View, found: list[Explanation] | Finding 
 def _misjudged(problem: Problem, start: Start, columns: Columns, findings: list[Finding]) -> list[Finding]:
     """A period of another regime, and a sinusoid that is there or not as in that regime, are one mistake."""
     regime, has_sine = analysis(start)[0], columns.sine is not None
-    periods = ("tau", "period_small", "period_first_term", "series_cut", "period_doubled", "period_halved")
-    found = next((each for each in findings if each.name in periods), None)
-    if found is None or regime == 0 or has_sine == (regime == -1):
+    periods = ("tau", "tau_off", "series_cut")
+    found = next((each for each in findings if each.name in periods or each.name.startswith(("period_", "series_"))), None)
+    if found is None or has_sine == (regime == -1):
         return findings
     told = Finding("regime", {"k": problem.regime, **found.values}, where=found.where)
     return [told if each is found else each for each in findings]

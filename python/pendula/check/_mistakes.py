@@ -27,7 +27,7 @@ class Mistake(NamedTuple):
     """What of the program is wrong; two mistakes of a pair are from different groups."""
     changes: dict[str, Any]
     """Fields of Program."""
-    values: Mapping[str, float] = MappingProxyType({})
+    values: Mapping[str, float | str] = MappingProxyType({})
     """What its page says beside."""
 
     def of(self, program: Program) -> Program:
@@ -40,9 +40,9 @@ def start(name: str, **changes: Any) -> Mistake:
     return Mistake(name, "start", changes)
 
 
-def method(name: str, made: Stepper) -> Mistake:
+def method(name: str, made: Stepper, **values: str) -> Mistake:
     """A mistake in the stepper."""
-    return Mistake(name, "stepper", {"stepper": made})
+    return Mistake(name, "stepper", {"stepper": made}, values)
 
 
 # Runge-Kutta (3.10) written wrongly. Rows are stages A to D, entries weights of the slopes of the stages before.
@@ -89,6 +89,35 @@ SECOND = (*ZEROS, *SIMPSON)
 EULER = stepper(((),), (1,))
 EULER_CROMER = stepper(((), ()), (0, 1), velocity=((), (1,)), omega_weights=(1, 0))
 
+# Each stage of the velocity sees the angle's increment of its own stage, which is known already: seven evaluations.
+OWN_INDEX = stepper(
+    ((), (), (0, 0.5), (), (0, 0, 0, 0.5), (), (0, 0, 0, 0, 0, 1)),
+    (1 / 6, 1 / 3, 0, 1 / 3, 0, 1 / 6, 0),
+    velocity=((), (0.5,), (), (0, 0, 0.5), (), (0, 0, 0, 0, 1), ()),
+    omega_weights=(1 / 6, 0, 1 / 3, 0, 1 / 3, 0, 1 / 6),
+)
+ACCUMULATING = ((), (0.5,), (0.5, 0.5), (0.5, 0.5, 1))
+STAGES = "ABCD"
+
+
+def without(stage: int) -> tuple[float, ...]:
+    """The weights of (3.10) without that of one stage."""
+    return tuple(0.0 if i == stage else weight for i, weight in enumerate(SIMPSON))
+
+
+def turned(stage: int) -> Stepper:
+    """Runge-Kutta (3.10) with the acceleration of one stage turned round."""
+    signs = [-1.0 if i == stage else 1.0 for i in range(4)]
+    velocity = [[weight * signs[i] for i, weight in enumerate(row)] for row in CLASSICAL]
+    return classical(velocity=velocity, omega_weights=[a * b for a, b in zip(SIMPSON, signs, strict=True)])
+
+
+SLOPES_LEFT_OUT = (
+    *((classical(weights=without(i)), STAGES[i], "θ, ω") for i in (0, 3)),
+    *((classical(weights=without(i), omega_weights=SIMPSON), STAGES[i], "θ") for i in range(4)),
+    *((classical(omega_weights=without(i)), STAGES[i], "ω") for i in range(4)),
+)
+
 STEPPERS = (
     method("euler_cromer", EULER_CROMER),
     method("euler", EULER),
@@ -128,6 +157,10 @@ STEPPERS = (
     method("weights_sixth", classical(weights=(1 / 6,) * 4)),
     method("weights_third_missing", classical(weights=(1 / 6, 1 / 3, 0, 1 / 6))),
     method("weights_third_missing", classical(weights=(1 / 6, 0, 1 / 3, 1 / 6))),
+    *(method("slope_left_out", made, stage=stage, equation=equation) for made, stage, equation in SLOPES_LEFT_OUT),
+    method("own_index", OWN_INDEX),
+    method("stages_accumulate", classical(angle=ACCUMULATING)),
+    method("stages_accumulate", classical(angle=ACCUMULATING, weights=np.add(SIMPSON, (0.5, 0.5, 1, 0)).tolist())),
     method("integer_division", classical(weights=ZEROS)),
     method("estimates_of_theta_ignored", classical(angle=NONE, velocity=CLASSICAL)),
     method("estimates_of_omega_ignored", classical(velocity=NONE)),
@@ -213,6 +246,8 @@ ROWS = (
     late("step_late", steps_late=1),
     late("step_early_but_first", steps_late=-1),  # there is no step before the first
     late("step_late_but_first", steps_late=1, first_is_right=True),
+    late("step_is_interval", is_coarse=True),
+    late("time_twice", pace=0.5),
     late("row_late", rows_late=1),
     late("row_early", rows_late=-1),
 )
@@ -231,20 +266,5 @@ PRINTINGS = (
     printed("theta_absolute", form="absolute"),
     printed("omega_normalised", form="normalised"),
 )
-BOTH_IN_DEGREES = Mistake("angle_in_degrees", "printing", {"theta_factor": 1 / DEGREE, "omega_factor": 1 / DEGREE})
-
-# Periods are found from the times alone.
-PERIODS = {
-    "doubled": "period_doubled",
-    "halved": "period_halved",
-    "first term": "period_first_term",
-    "small": "period_small",
-    "log10": "logarithm_base_10",
-    "0.99": "limit_099",
-    "limit": "limit_not_0999",
-    "separatrix": "regime",
-    "rotation": "regime",
-}
 
 SINGLE = Mistake("single_precision", "stepper", {"is_single": True})
-OF_MOTION = (*EQUATIONS, *STEPPERS)

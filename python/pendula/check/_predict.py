@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from pendula import _core
-from pendula.check._mistakes import BOTH_IN_DEGREES, PRINTINGS, Mistake
+from pendula.check._mistakes import PRINTINGS, Mistake
 from pendula.check._program import RIGHT, Clock, Motion, Program, Start, closed_form, replay
 
 if TYPE_CHECKING:
@@ -160,7 +160,7 @@ def _printing(mistakes: tuple[Mistake, ...]) -> Printing:
 
 
 AS_ASKED = Printing()
-WRONGLY = tuple(_printing((mistake,)) for mistake in (*PRINTINGS, BOTH_IN_DEGREES))
+WRONGLY = (*(_printing((mistake,)) for mistake in PRINTINGS), _printing(PRINTINGS[:2]))  # both in degrees is as good as one
 
 
 def misfits(prediction: Prediction, printing: Printing, theta: Column, omega: Column) -> tuple[npt.NDArray[np.bool_], ...]:

@@ -173,6 +173,10 @@ class Program:
     steps_late: int = 0
     """By how many steps the states are later than the times printed."""
     rows_late: int = 0
+    pace: float = 1.0
+    """How many steps are taken for one that is counted."""
+    is_coarse: bool = False
+    """Whether the step is the time between rows."""
     first_is_right: bool = False
     """Whether the first row is not late."""
     theta_factor: float = 1.0
@@ -200,9 +204,7 @@ def taken(program: Program, problem: Problem) -> Start:
     return Start(theta0, omega0, alpha)
 
 
-# Periods.
-
-ALMOST_FREE = 1e-12  # factor of gravity, for a rotation that hardly feels it
+# Motion.
 
 
 @lru_cache(maxsize=4096)
@@ -211,69 +213,6 @@ def analysis(start: Start) -> tuple[int, float, float]:
     found = analyze(*start[:2], alpha=start.alpha)
     return int(found.regime), float(found.theta_max), float(found.tau)
 
-
-def first_term(start: Start) -> float:
-    """T0 of the series (3.6): the period without gravity, or without the amplitude's part in it [s]."""
-    return small_period(start) if analysis(start)[0] < 0 else rotation_period(start)
-
-
-def rotation_period(start: Start) -> float:
-    """π/A (3.8), the period of a rotation without gravity [s]."""
-    energy_ratio = _core.energy(*start) / _core.energy(0.0, 1.0, start.alpha)
-    return analysis(Start(0.0, math.sqrt(energy_ratio), start.alpha * ALMOST_FREE))[2]
-
-
-def small_period(start: Start) -> float:
-    """The period of small oscillations [s]."""
-    return analysis(Start(0.0, 0.0, start.alpha))[2]
-
-
-def limit_time(start: Start, fraction: float) -> float:
-    """The time (3.5) to a fraction of θM on the separatrix, as a program in double precision finds it [s]."""
-    sign = -1.0 if start.omega0 < 0 else 1.0
-    there = math.tan(fraction * math.pi / 4 + math.pi / 4)
-    here = math.tan(sign * float(_core.wrap(start.theta0)) / 4 + math.pi / 4)
-    return math.log(there / here) / math.sqrt(start.alpha)
-
-
-def period(name: str, start: Start) -> float | None:
-    """The characteristic time of a program with this mistake; None where there is none, or none of its own in this regime."""
-    try:
-        return _period(name, start)
-    except (ValueError, ArithmeticError):  # no number is its logarithm, or its size
-        return None
-
-
-def _period(name: str, start: Start) -> float | None:
-    regime, _, tau = analysis(start)
-    match name, regime:
-        case "right", _:
-            return tau
-        case "doubled", -1 | 1:
-            return 2 * tau
-        case "halved", -1 | 1:
-            return tau / 2
-        case "first term", -1 | 1:
-            return first_term(start)
-        case "small", 1:
-            return small_period(start)
-        case "log10", 0:
-            return tau / math.log(10)
-        case "0.99", 0:
-            return limit_time(start, 0.99)
-        case "limit", 0:
-            return limit_time(start, 1.0)
-        case "separatrix", -1 | 1:
-            return limit_time(start, 0.999)
-        case "rotation", -1:
-            return rotation_period(start)
-    return None
-
-
-PERIODS = ("right", "doubled", "halved", "first term", "small", "log10", "0.99", "limit", "separatrix", "rotation")
-
-
-# Motion.
 
 LATEST = 1e9  # periods; no table's digits tell the phase of a later time
 
@@ -311,6 +250,16 @@ class Motion(NamedTuple):
 
     theta: Floats
     omega: Floats
+
+
+def paced(program: Program, clock: Clock) -> Clock:
+    """The steps that a program takes where the right one takes those of the clock."""
+    if program.is_coarse:
+        per_row = max(1, int(np.median(np.diff(clock.steps)))) if clock.steps.size > 1 else 1
+        return clock._replace(steps=clock.steps // per_row, dt=clock.dt * per_row)
+    if program.pace != 1:
+        return clock._replace(steps=np.round(clock.steps * program.pace).astype(np.int64))
+    return clock
 
 
 def replay(programs: Sequence[Program], clocks: Sequence[Clock], starts: Sequence[Start]) -> Motion:

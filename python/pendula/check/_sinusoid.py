@@ -9,8 +9,9 @@ import numpy as np
 
 from pendula import _core
 from pendula.check._finding import Finding, Where, error
+from pendula.check._periods import small_period
 from pendula.check._predict import are_cells
-from pendula.check._program import DEGREE, RIGHT, Problem, Start, analysis, closed_form, small_period, taken
+from pendula.check._program import DEGREE, RIGHT, Problem, Start, analysis, closed_form, taken
 from pendula.check._table import WORDS, Column, Columns
 
 if TYPE_CHECKING:
@@ -27,16 +28,17 @@ UNKNOWN = 1e-7  # relative: how well a program knows its period
 
 
 class Sinusoid(NamedTuple):
-    """amplitude sin(rate t + phase)."""
+    """amplitude sin(rate t + phase) + offset."""
 
     amplitude: float
     rate: float
     """[rad/s]"""
     phase: float
+    offset: float = 0.0
 
     def at(self, t: Floats) -> Floats:
         """Its values, in [-π, π)."""
-        values: Floats = _core.wrap(self.amplitude * np.sin(self.rate * t + self.phase))
+        values: Floats = _core.wrap(self.amplitude * np.sin(self.rate * t + self.phase) + self.offset)
         return values
 
 
@@ -63,6 +65,11 @@ def wrong_sinusoids(start: Start, tau: float, dt: float) -> Iterator[tuple[str, 
     yield "sine_half_period", right._replace(rate=2 * right.rate)
     yield "sine_without_two_pi", right._replace(rate=1 / tau)
     yield "sine_without_amplitude", right._replace(amplitude=1.0)
+    yield "sine_phase_outside", right._replace(phase=0.0, offset=right.phase)
+    yield "sine_period_inverted", right._replace(rate=2 * math.pi * tau)
+    yield "sine_without_period", right._replace(rate=2 * math.pi)
+    for phase in (math.asin(min(1.0, max(-1.0, start.theta0))), math.pi - math.asin(min(1.0, max(-1.0, start.theta0)))):
+        yield "sine_phase_theta0", right._replace(phase=phase)
     yield "sine_phase_degrees", right._replace(phase=right.phase / DEGREE)
     yield "sine_phase_degrees", right._replace(phase=right.phase * DEGREE)
     yield "sine_by_acos", right._replace(phase=math.acos(ratio))

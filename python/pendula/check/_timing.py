@@ -9,9 +9,8 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from pendula.check._finding import Finding, error, remark
-from pendula.check._mistakes import PERIODS
-from pendula.check._program import PERIODS as NAMES
-from pendula.check._program import Clock, Problem, Start, analysis, first_term, period
+from pendula.check._periods import Period, first_term, partial_sums, wrong_periods
+from pendula.check._program import Clock, Problem, Start, analysis
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -20,6 +19,7 @@ if TYPE_CHECKING:
     from pendula.check._table import Column
 
 PERIOD = 1e-6  # relative: periods that differ by less are equal (3.9 allows 1e-7, and programs add up steps)
+MOST_DOUBT = 1e-5  # relative: of a period that is known by the times printed alone
 KNOWN = 1e-7  # relative: how well a right program knows its own period
 ROUGH_PIS = (3.14, 3.1415, 3.1416)
 LARGEST_RATIO = 12  # of whole numbers that a period may be off by, from zeros that were counted
@@ -92,20 +92,28 @@ def timings(problem: Problem, start: Start, t: Column, places: Floats, pi: float
         findings = (error("one_row", expected=expected),) if grid.rows == 1 and problem.rows > 1 else ()
         yield Timing(_clock(t, dt, dt * problem.steps_per_row, KNOWN), tau, findings)
         return
-    found = is_in_time = False
-    for name in NAMES:
-        own = period(name, start)
-        own = own * (pi / math.pi) if own is not None else None
-        if own is not None and np.isfinite(own) and _is_spacing(grid, t, factor_every * own, factor_dt * own):
-            found = True
-            findings = _period_findings(name, problem, start, own)
-            for timing in _timing(problem, t, grid, own, findings):
-                is_in_time |= not timing.changes
-                yield timing._replace(tau=timing.tau * (math.pi / pi))
-    if not found:
+    right = tau * (pi / math.pi)
+    if _is_spacing(grid, t, factor_every * right, factor_dt * right):
+        for timing in _timing(problem, t, grid, right, ()):
+            yield timing._replace(tau=timing.tau * (math.pi / pi))
+        return
+    known = [
+        (mistake, own) for mistake, own in wrong_periods(start) if _is_spacing(grid, t, factor_every * own, factor_dt * own)
+    ]
+    if known:
+        said = tuple(_said(mistake, problem, tau, own) for mistake, own in known)
+        others = (
+            tuple({each.name: each for each in said[1:] if each.name != said[0].name}.values())[:2] if len(said) > 1 else ()
+        )
+        yield from _timing(problem, t, grid, known[0][1], (said[0]._replace(alternatives=others),))
+    else:
         yield from _other_spacings(problem, start, t, grid)
-    if not is_in_time:
-        yield Timing(_numbered(problem, grid, factor_dt * tau), tau, (error("times_off"),))
+    yield Timing(_numbered(problem, grid, factor_dt * tau), tau, (error("times_off"),))
+
+
+def _said(mistake: Period, problem: Problem, tau: float, own: float) -> Finding:
+    values = {"k": problem.regime} if mistake.name == "regime" else {}
+    return error(mistake.name, tau=tau, got=own, **values, **mistake.values)
 
 
 def _numbered(problem: Problem, grid: Grid, dt: float) -> Clock:
@@ -125,15 +133,6 @@ def _is_spacing(grid: Grid, t: Column, every: float, dt: float) -> bool:
     off = np.abs(t.values - grid.values).max()
     drift = 2 * grid.unit if off <= 2 * grid.unit else slack
     return bool(abs(grid.every - every) * (grid.rows - 1) <= drift + PERIOD * every * grid.rows)
-
-
-def _period_findings(name: str, problem: Problem, start: Start, own: float) -> tuple[Finding, ...]:
-    if name == "right":
-        return ()
-    values = {"k": problem.regime} if PERIODS[name] == "regime" else {}
-    both = (error("period_small"),) if name == "first term" and analysis(start)[0] < 0 else ()
-    found = error(PERIODS[name], tau=analysis(start)[2], got=own, **values)
-    return (found._replace(alternatives=both),)
 
 
 def _timing(problem: Problem, t: Column, grid: Grid, own: float, findings: tuple[Finding, ...]) -> Iterator[Timing]:
@@ -185,6 +184,17 @@ def _other_spacings(problem: Problem, start: Start, t: Column, grid: Grid) -> It
         rows = _layout(problem, scaled, inside, factor * tau, factor_dt * tau)
         clock = _clock(scaled, factor_dt * tau, factor * tau, KNOWN)
         yield Timing(clock, tau, (error("times_in_periods"), *rows), tau)
+    per_row = problem.steps_per_row
+    for rounded in {math.floor(per_row), round(per_row), math.ceil(per_row)} - {0}:
+        every = rounded * factor_dt * tau
+        if abs(per_row - rounded) > PERIOD and _is_spacing(grid, t, every, factor_dt * tau):
+            said = remark("interval_rounded", **spacing)
+            yield Timing(_clock(t, factor_dt * tau, every, KNOWN), tau, (said,))
+            return
+    of_run = problem.every * problem.until / problem.tau
+    if _is_spacing(grid, t, of_run, factor_dt * tau):
+        yield Timing(_clock(t, factor_dt * tau, of_run, KNOWN), tau, (error("interval_of_run", **spacing),))
+        return
     for every in (factor, whole):
         if _is_spacing(grid, t, every, factor_dt * tau):
             yield Timing(_clock(t, factor_dt * tau, every, KNOWN), tau, (error("seconds", **spacing),))
@@ -198,7 +208,7 @@ def _other_spacings(problem: Problem, start: Start, t: Column, grid: Grid) -> It
         return
     said = off(start, own, doubt, values)
     sinusoid = own * (math.pi / float(said.values["pi"])) if said.name == "rough_pi" else own
-    yield Timing(_clock(t, factor_dt * own, grid.every, min(doubt, PERIOD)), sinusoid, (said, *rows))
+    yield Timing(_clock(t, factor_dt * own, grid.every, min(doubt, MOST_DOUBT)), sinusoid, (said, *rows))
 
 
 def off(start: Start, own: float, doubt: float, values: dict[str, float]) -> Finding:
@@ -210,9 +220,11 @@ def off(start: Start, own: float, doubt: float, values: dict[str, float]) -> Fin
             return error("rough_pi", pi=pi, **values)
     simple = Fraction(ratio).limit_denominator(LARGEST_RATIO)
     if simple != 1 and 0 < simple.numerator <= LARGEST_RATIO and abs(ratio - float(simple)) <= doubt * ratio and doubt < 1e-4:
-        return error("tau_off", **values, ratio=f"{simple.numerator}/{simple.denominator}")
+        return error("tau_off", **values, ratio=str(simple))
     if regime != 0 and first_term(start) < own < tau:
-        return error("series_cut", **values, relative=1 - ratio)
+        sums = partial_sums(start)
+        if np.min(np.abs(sums - own)) <= min(doubt, MOST_DOUBT) * own:
+            return error("series_cut", **values, relative=1 - ratio)
     return error("tau", **values)
 
 

@@ -45,6 +45,8 @@ SOFT = "0.0005 0.02 1 0 r 1.2 r 0.25"
 SEPARATRIX = "0.0001 0.02 1 0 r -2 r 1"
 STIFF_SEPARATRIX = "0.0002 0.02 1 0 r 4 r 4"
 LONG_SEPARATRIX = "0.0005 0.05 8 0 r 2 r 1"
+UNEVEN = "0.0003 0.02 1 1 r 0.5 r 2"
+UNEVEN_TURNS = "0.0007 0.03 2 1 r 3.5 r 2"
 SEVERAL = "\n".join((START, ROTATION, DEGREES))
 NAMES = {
     problem: name.lower()
@@ -74,6 +76,8 @@ ELSEWHERE = {
     "early_end": (DEGREES, BACKWARDS),
     "euler_cromer+not_normalised": (TURNS, BACKWARDS),
     "heun": (START, ROTATION),
+    "interval_of_run": (DEGREES, BACKWARDS),
+    "interval_rounded": (UNEVEN, UNEVEN_TURNS),
     "length_in_force": (START, QUARTER),
     "limit_099": (SEPARATRIX, STIFF_SEPARATRIX),
     "limit_not_0999": (SEPARATRIX, STIFF_SEPARATRIX),
@@ -85,19 +89,23 @@ ELSEWHERE = {
     "omega0_degrees_inverted": (DEGREES, BOTH_IN_DEGREES),
     "omega0_in_degrees": (DEGREES, BOTH_IN_DEGREES),
     "omega_normalised": (WIDE, BACKWARDS),
+    "own_index": (START, COARSE),
     "period_doubled": (ROTATION, BACKWARDS),
     "period_small": (ROTATION, BACKWARDS),
+    "period_without_half": (ROTATION, BACKWARDS),
     "regime": (ROTATION, NEAR),
     "regime-no_alpha": (WIDE, SOFT),
     "rough_pi": (DEGREES, QUARTER),
     "runge_kutta_3": (START, COARSE),
     "sine_not_wrapped": (TURNED, TURNED_IN_DEGREES),
     "sine_too_many": (ROTATION, BACKWARDS),
+    "step_is_interval": (START, ROTATION),
     "theta0_as_degrees": (START, COARSE),
     "theta0_degrees_inverted": (DEGREES, QUARTER),
     "theta0_in_degrees": (DEGREES, QUARTER),
     "theta0_in_degrees+euler": (DEGREES, QUARTER),
     "verlet": (START, COARSE),
+    "weights_equal": (START, COARSE),
     "wraps_closed_above": (UPRIGHT, UPRIGHT_BACKWARDS),
     "wraps_fmod": (TURNS, BACKWARDS),
     "wraps_fmod-shifted": (TURNS, BACKWARDS),

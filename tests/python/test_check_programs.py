@@ -13,6 +13,7 @@ PROBLEMS = {  # and how many rows their tables have
     "0.0001 0.02 1 0 r 2.01 r 1": 51,
 }
 ALL = "\n".join(PROBLEMS) + "\n"
+UNEVEN = "0.0003 0.02 1 1 r 0.5 r 2"  # 66.7 steps between rows
 DIGITS = 10
 
 # Of mistakes that are not in the numbers, but in the text or in which rows there are.
@@ -33,6 +34,7 @@ ROWS = {
         "one_row",
     ),
     *("last_row_lost", "last_row_won", "early_end", "late_end", "tau", "period_doubled", "period_halved"),
+    "interval_of_run",
 }
 
 
@@ -57,13 +59,19 @@ def right(program):
     return tables(program("--precision", str(DIGITS), text=ALL))
 
 
-@pytest.mark.parametrize("name", [name for name in names() if not TEXT & {*findings(name)}])
+@pytest.mark.parametrize("name", [name for name in names() if not {*TEXT, "interval_rounded"} & {*findings(name)}])
 def test_a_program_makes_its_mistake(right, name):
     found = tables(run_program(name, ALL, DIGITS).decode())
     assert len(found) == len(PROBLEMS)
     if not ROWS & {*findings(name)}:
         assert [len(table) for table in found] == [*PROBLEMS.values()]
     assert any(differ(one, other) for one, other in zip(found, right, strict=True))
+
+
+def test_a_rounded_interval_shows_only_where_it_is_no_whole_number_of_steps(program, right):
+    found = tables(run_program("interval_rounded", ALL + UNEVEN, DIGITS).decode())
+    assert not any(differ(one, other) for one, other in zip(found[:-1], right, strict=True))
+    assert differ(found[-1], tables(program("--precision", str(DIGITS), text=UNEVEN))[0])
 
 
 @pytest.mark.parametrize("name", names())

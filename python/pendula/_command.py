@@ -95,7 +95,7 @@ COMMON = (Option("--lang", TEXTS["lang"], "L"), Option("--help", TEXTS["help"]),
 def run(command: Command, work: Callable[[dict[str, str], list[str], str], int]) -> int:
     """A console script: does the work with its options, other words and language, and returns the status to end with."""
     arguments = sys.argv[1:]
-    lang = language_of(arguments)
+    lang = language_of([word.encode(errors="replace").decode() for word in arguments])  # names of files need be no text
     try:
         given, rest = read_options(command, arguments)
         if "--help" in given:

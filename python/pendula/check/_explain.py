@@ -9,7 +9,19 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from pendula.check._mistakes import ALPHAS, EQUATIONS, ROWS, SINGLE, STARTS, STEPPERS, Mistake
-from pendula.check._predict import AS_ASKED, MOST_WORK, ROUNDING, WRONGLY, Prediction, Printing, Run, fits, predictions, wrap
+from pendula.check._predict import (
+    AS_ASKED,
+    MOST_WORK,
+    ROUNDING,
+    WRONGLY,
+    Prediction,
+    Printing,
+    Run,
+    fits,
+    matters,
+    predictions,
+    wrap,
+)
 from pendula.check._program import RIGHT, Problem, Program, Start, closed_form, paced, replay, taken
 from pendula.check._timing import Timing, timings
 
@@ -179,7 +191,7 @@ def _tried(candidates: list[Candidate], columns: Columns, changes: int) -> list[
     found = []
     for each, prediction in zip(likely, predictions([each.run for each in likely]), strict=True):
         for printing in _printings(changes - each.changes):
-            if fits(prediction, printing, columns):
+            if matters(printing, prediction) and fits(prediction, printing, columns):
                 found.append(Explanation(each, printing, prediction))
                 break
     return found

@@ -25,7 +25,7 @@ from pendula.check._predict import (
 from pendula.check._program import RIGHT, Problem, Start, analysis, taken
 from pendula.check._sinusoid import UNKNOWN, fits, of_sinusoid, right_sinusoid
 from pendula.check._table import ROLES, WORDS, Column, Columns, columns_at, placements, roles_of
-from pendula.check._timing import Timing, timings
+from pendula.check._timing import PERIOD, Timing, timings
 from pendula.check._wrapping import of_wrapping
 
 if TYPE_CHECKING:
@@ -80,7 +80,7 @@ class View(NamedTuple):
     timing: Timing
     wanted: Prediction
     wrong: tuple[npt.NDArray[np.bool_], ...]
-    """Rows in which angle and velocity are not right."""
+    """Rows in which angle, velocity and time are not right."""
     judged: int
     """Rows before the first that cannot be judged."""
 
@@ -224,10 +224,20 @@ def _view(problem: Problem, table: Table, columns: Columns) -> View:
             wrong = tuple(
                 np.append(each[:judged], (near & far)[judged:]) for each, near, far in zip(wrong, local, closed, strict=True)
             )
-        views.append(View(columns, places, timing, wanted, wrong, judged))
+        views.append(View(columns, places, timing, wanted, (*wrong, _wrong_times(columns.t, timing)), judged))
         if _is_right(views[-1]):
             return views[-1]
     return views[0]
+
+
+def _wrong_times(t: Column, timing: Timing) -> npt.NDArray[np.bool_]:
+    """Rows whose times are not those of their steps, where nothing else is wrong with the times."""
+    clock = timing.clock
+    if timing.changes:
+        return np.zeros(t.values.size, bool)
+    slack = t.units + (clock.doubt + PERIOD) * np.abs(clock.t) + clock.unsure
+    wrong: npt.NDArray[np.bool_] = ~(np.abs(t.values * timing.unit - clock.t) <= slack)
+    return wrong
 
 
 def _is_right(view: View) -> bool:
@@ -347,9 +357,10 @@ def _first_wrong(view: View) -> Where | None:
         return None
     row, i = min(rows)
     columns = view.columns
-    column = (columns.theta, columns.omega)[i]
-    wanted = (view.wanted.theta, view.wanted.omega)[i][row]
-    return Where(int(columns.lines[row]), float(columns.t.values[row]), WORDS[i + 1], float(column.values[row]), float(wanted))
+    column = (columns.theta, columns.omega, columns.t)[i]
+    wanted = (view.wanted.theta, view.wanted.omega, view.timing.clock.t)[i][row]
+    word = (WORDS[1], WORDS[2], WORDS[0])[i]
+    return Where(int(columns.lines[row]), float(columns.t.values[row]), word, float(column.values[row]), float(wanted))
 
 
 def _symptoms(problem: Problem, view: View) -> dict[str, float | int | str]:
@@ -380,7 +391,7 @@ def _deviations(problem: Problem, view: View) -> dict[str, Deviation]:
     columns, wanted = view.columns, view.wanted
     off = (wrap(columns.theta.values - wanted.theta), columns.omega.values - wanted.omega)
     found = {}
-    for role, wrong, distance, right in zip(ROLES[1:3], view.wrong, off, wanted[:2], strict=True):
+    for role, wrong, distance, right in zip(ROLES[1:3], view.wrong[:2], off, wanted[:2], strict=True):
         found[role] = _deviation(wrong, right, distance)
     if problem.regime == -1 and columns.sine is not None:
         start = taken(RIGHT, problem)

@@ -15,11 +15,12 @@ if TYPE_CHECKING:
 
     import numpy.typing as npt
 
-    from pendula.check._program import Floats
+    from pendula.check._program import Floats, Integers
     from pendula.check._table import Column, Columns
 
 ROUNDING = 1e-11  # relative: what the roundings of ten thousand steps may be worth
 MOST_WORK = 1 << 22  # steps of a program that is replayed; more are taken by the closed form
+ENERGY = 4e-15  # of 2α: what roundings add to the energy
 FEW_CELLS = 0.05  # of the rows
 DECIDES = 0.1  # rad: beyond this, what rounding may be worth leaves nothing to judge
 
@@ -54,7 +55,7 @@ def predictions(runs: Sequence[Run]) -> list[Prediction]:
     """What the programs print, each with the spread of what is legitimately unknown: roundings, and the period."""
     three: list[Run] = []
     for program, clock, start in runs:
-        moved = start._replace(theta0=start.theta0 * (1 + ROUNDING), omega0=start.omega0 * (1 + ROUNDING))
+        moved = _moved(start)
         slower = clock._replace(dt=clock.dt * (1 + clock.doubt))
         three += [Run(program, clock, start), Run(program, clock, moved), Run(program, slower, start)]
     programs, clocks, starts = zip(*three, strict=True) if three else ((), (), ())
@@ -68,14 +69,30 @@ def predictions(runs: Sequence[Run]) -> list[Prediction]:
 def _prediction(spread: Motion, unsure: Floats, alpha: float) -> Prediction:
     with np.errstate(invalid="ignore", over="ignore"):
         slacks = [np.abs(each[1] - each[0]) + np.abs(each[2] - each[0]) for each in spread]
-        scales = (1.0, float(np.sqrt(alpha)))
-        floors = [ROUNDING * (scale + np.abs(each[0])) for scale, each in zip(scales, spread, strict=True)]
+        # Roundings of a small motion are small; near the top they are those of an angle of π.
+        sizes = [min(largest, float(np.nanmax(np.abs(each[0]), initial=0.0))) for largest, each in _largest(spread, alpha)]
+        floors = [ROUNDING * (size + np.abs(each[0])) for size, each in zip(sizes, spread, strict=True)]
         late = (np.abs(spread.omega[0]) * unsure, alpha * unsure)
         theta_slack, omega_slack = (
             np.maximum.accumulate(np.nan_to_num(slack, nan=0.0, posinf=1e300) + floor) + open_time
             for slack, floor, open_time in zip(slacks, floors, late, strict=True)
         )
     return Prediction(wrap(spread.theta[0]), spread.omega[0], theta_slack, omega_slack, spread.theta[0])
+
+
+def _largest(spread: Motion, alpha: float) -> tuple[tuple[float, Floats], ...]:
+    return (1.0, spread.theta), (float(np.sqrt(alpha)), spread.omega)
+
+
+def _moved(start: Start) -> Start:
+    """The initial state farther on by what roundings may be worth: in itself, and in its energy, which decides near the top."""
+    theta0, omega0, alpha = start
+    slope = np.array([alpha * np.sin(theta0), omega0 * np.sqrt(alpha)])  # of the energy, in θ and ω/√α
+    length = float(np.hypot(*slope))
+    kick = ENERGY * alpha * slope / length**2 if ENERGY * alpha < length**2 else np.zeros(2)
+    return Start(
+        theta0 * (1 + ROUNDING) + float(kick[0]), omega0 * (1 + ROUNDING) + float(kick[1]) * float(np.sqrt(alpha)), alpha
+    )
 
 
 def right_prediction(clock: Clock, start: Start) -> Prediction:
@@ -98,7 +115,7 @@ def right_prediction(clock: Clock, start: Start) -> Prediction:
 def by_closed_form(start: Start, clock: Clock) -> Prediction:
     """The closed form with the spread that Runge-Kutta would have, where its steps are too many to be taken."""
     t = clock.t
-    moved = start._replace(theta0=start.theta0 * (1 + ROUNDING), omega0=start.omega0 * (1 + ROUNDING))
+    moved = _moved(start)
     three = ((start, t), (moved, t), (start, t * (1 + clock.doubt)))
     motions = [closed_form(each, times) for each, times in three]
     theta, omega = (np.array([motion[i] for motion in motions]) for i in (0, 1))
@@ -116,11 +133,18 @@ def not_judged_from(prediction: Prediction) -> int:
 
 def wrong_locally(start: Start, clock: Clock, columns: Columns) -> tuple[npt.NDArray[np.bool_], ...]:
     """Rows, but the first, that do not follow by Runge-Kutta from the row before, as far as its digits tell."""
-    theta, omega = columns.theta, columns.omega
     between = np.maximum(np.diff(clock.steps), 0)
-    wrong = [np.zeros(theta.values.size, bool) for _ in range(2)]
+    wrong = [np.zeros(columns.t.values.size, bool) for _ in range(2)]
     if between.max(initial=0) > MOST_WORK // 64 or between.size == 0:
         return tuple(wrong)
+    with np.errstate(all="ignore"):
+        return _follow(start, clock, columns, between, wrong)
+
+
+def _follow(
+    start: Start, clock: Clock, columns: Columns, between: Integers, wrong: list[npt.NDArray[np.bool_]]
+) -> tuple[npt.NDArray[np.bool_], ...]:
+    theta, omega = columns.theta, columns.omega
     # As printed; one unit farther on; and with half the step, for Runge-Kutta's own error.
     moved = ((0, 0), (1, 0), (0, 1), (0, 0))
     starts = [
@@ -138,6 +162,20 @@ def wrong_locally(start: Start, clock: Clock, columns: Columns) -> tuple[npt.NDA
         off = column.values[1:] - after[:, 0]
         each[1:] = ~(np.abs(wrap(off) if is_angle else off) <= 2 * slack)
     return tuple(wrong)
+
+
+def wrong_in_energy(clock: Clock, start: Start, columns: Columns) -> npt.NDArray[np.bool_]:
+    """Rows whose energy is not that of the start, as far as their digits tell and Runge-Kutta keeps it."""
+    theta, omega, alpha = columns.theta, columns.omega, start.alpha
+    by_rk4 = replay([RIGHT], [clock], [start])
+    with np.errstate(all="ignore"):
+        right = float(_core.energy(*start))
+        lost = float(np.nanmax(np.abs(_core.energy(by_rk4.theta[0], by_rk4.omega[0], alpha) - right), initial=0.0))
+        slope = alpha * np.abs(np.sin(theta.values)) * theta.units + np.abs(omega.values) * omega.units
+        curve = alpha * theta.units**2 + omega.units**2
+        off = np.abs(_core.energy(theta.values, omega.values, alpha) - right)
+        wrong: npt.NDArray[np.bool_] = ~(off <= 2 * (slope + curve) + 3 * lost + 1e-9 * alpha)
+    return wrong
 
 
 # Printed states.
@@ -178,11 +216,23 @@ def misfits(prediction: Prediction, printing: Printing, theta: Column, omega: Co
         )
 
 
+def matters(printing: Printing, prediction: Prediction) -> bool:
+    """Whether a form changes any number."""
+    if printing.form == "absolute":
+        return bool(np.any(prediction.theta < -prediction.theta_slack))
+    return printing.form != "normalised" or bool(np.any(np.abs(prediction.omega) > np.pi + prediction.omega_slack))
+
+
 def fits(prediction: Prediction, printing: Printing, columns: Columns) -> bool:
     """Whether all rows are as predicted."""
     return not any(wrong.any() for wrong in misfits(prediction, printing, columns.theta, columns.omega))
 
 
+def few_of(rows: int) -> int:
+    """How many wrong ones of so many rows are cells, and no mistake of the program."""
+    return max(1, int(FEW_CELLS * rows)) if rows > 3 else 0
+
+
 def are_cells(wrong: int, rows: int) -> bool:
     """Whether so few of the rows are wrong that they are no mistake of the program."""
-    return rows > 3 and wrong <= max(1, FEW_CELLS * rows)
+    return wrong <= few_of(rows)

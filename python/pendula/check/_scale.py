@@ -25,6 +25,9 @@ TEXTS: dict[str, Text] = {
     "unknown": ("{0!r}: there is no {1!r} in a scale; it has {2}", "{0!r}: en una escala no hay {1!r}; tiene {2}"),
 }
 
+MOST_BYTES = 1 << 14  # of a scale
+MOST_POINTS = 1e9
+
 
 class Scale(NamedTuple):
     """Points, and what is taken off them."""
@@ -66,8 +69,11 @@ def read_scale(path: str | None, points: str | None) -> Scale:
 def _read(path: str) -> dict[str, Any]:
     with opened(path) as file:
         try:
-            given = tomllib.load(file)
-        except ValueError as error:  # not TOML, or not UTF-8
+            text = file.read(MOST_BYTES + 1)
+            if len(text) > MOST_BYTES:
+                raise ValueError(f"> {MOST_BYTES} bytes")
+            given = tomllib.loads(text.decode())
+        except (ValueError, RecursionError) as error:  # not TOML, not UTF-8, or too deep
             raise RefusedError(BAD_USAGE, TEXTS["not toml"], path, error) from None
     costs = given.get("findings", {})
     if not isinstance(costs, dict):
@@ -79,7 +85,7 @@ def _read(path: str) -> dict[str, Any]:
             raise RefusedError(BAD_USAGE, TEXTS["unknown"], path, name, ", ".join(Scale._fields))
     for name, value in ({**given, **costs}).items():
         is_number = isinstance(value, int | float) and not isinstance(value, bool)
-        if name != "findings" and not (is_number and 0 <= value < math.inf):
+        if name != "findings" and not (is_number and 0 <= value <= MOST_POINTS):
             raise RefusedError(BAD_USAGE, TEXTS["no number"], path, name)
     return given
 

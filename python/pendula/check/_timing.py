@@ -10,6 +10,7 @@ import numpy as np
 
 from pendula.check._finding import Finding, error, remark
 from pendula.check._periods import Period, first_term, partial_sums, wrong_periods
+from pendula.check._predict import few_of
 from pendula.check._program import Clock, Problem, Start, analysis
 
 if TYPE_CHECKING:
@@ -67,15 +68,20 @@ class Grid(NamedTuple):
 
 def grid_of(t: Column, places: Floats) -> Grid:
     """The evenly spaced times nearest to those printed; a few wrong ones among them do not matter."""
-    unit = float(t.units.max())
+    unit = float(np.median(t.units))
     if places.size < 2 or not places[-1] > places[0]:
         return Grid(float(t.values[0]), 0.0, places, unit)
-    gaps = np.diff(places)
-    first = float(t.values[0])
-    spacings = (float((t.values[-1] - first) / (places[-1] - places[0])), float(np.median(np.diff(t.values) / gaps)))
-    off = [np.abs(t.values - first - (places - places[0]) * each) for each in spacings]
-    every = spacings[int(np.argmin([np.median(each) for each in off]))]
-    return Grid(first - places[0] * every, every, places, unit)
+    every = float((t.values[-1] - t.values[0]) / (places[-1] - places[0]))
+    first = float(t.values[0]) - places[0] * every
+    off = np.abs(t.values - first - places * every)
+    if np.sum(off > 2 * t.units) > few_of(places.size):
+        # The first or the last may be among the wrong ones.
+        robust = float(np.median(np.diff(t.values) / np.diff(places)))
+        level = float(np.median(t.values - places * robust))
+        near = np.abs(t.values - level - places * robust) <= robust / 2
+        if robust > 0 and np.sum(near) >= places.size - few_of(places.size) and not near.all():
+            every, first = map(float, np.polyfit(places[near], t.values[near], 1))
+    return Grid(first, every, places, unit)
 
 
 def timings(problem: Problem, start: Start, t: Column, places: Floats, pi: float = math.pi) -> Iterator[Timing]:
@@ -90,7 +96,7 @@ def timings(problem: Problem, start: Start, t: Column, places: Floats, pi: float
         dt = factor_dt * tau
         expected = int(min(problem.rows, MOST_STEPS))
         findings = (error("one_row", expected=expected),) if grid.rows == 1 and problem.rows > 1 else ()
-        yield Timing(_clock(t, dt, dt * problem.steps_per_row, KNOWN), tau, findings)
+        yield Timing(_clock(t, grid, dt, dt * problem.steps_per_row, KNOWN), tau, findings)
         return
     right = tau * (pi / math.pi)
     if _is_spacing(grid, t, factor_every * right, factor_dt * right):
@@ -124,15 +130,20 @@ def _numbered(problem: Problem, grid: Grid, dt: float) -> Clock:
 
 def _is_spacing(grid: Grid, t: Column, every: float, dt: float) -> bool:
     """Whether rows are as far apart as that; a program may print each at the end of the step that reaches its time."""
+    late = min(1.01 * dt, every / 2)  # one step a row leaves no room
     ends = np.round(t.values / dt) * dt
     is_at_end = np.abs(t.values - ends) <= t.units + PERIOD * np.abs(t.values)
-    late = min(1.01 * dt, every / 2)  # one step a row leaves no room
-    if np.all(is_at_end & (np.abs(t.values - grid.places * every) <= late + t.units)):
+    fits = is_at_end & (np.abs(t.values - grid.places * every) <= late + t.units)
+    if np.sum(~fits) <= few_of(fits.size):
         return True
-    slack = 1.01 * dt + grid.unit
-    off = np.abs(t.values - grid.values).max()
-    drift = 2 * grid.unit if off <= 2 * grid.unit else slack
+    off = _usual(np.abs(t.values - grid.values) / t.units) * grid.unit
+    drift = 2 * grid.unit if off <= 2 * grid.unit else late + grid.unit
     return bool(abs(grid.every - every) * (grid.rows - 1) <= drift + PERIOD * every * grid.rows)
+
+
+def _usual(off: Floats) -> float:
+    """The largest but for a few."""
+    return float(np.sort(off)[-1 - few_of(off.size)])
 
 
 def _timing(problem: Problem, t: Column, grid: Grid, own: float, findings: tuple[Finding, ...]) -> Iterator[Timing]:
@@ -140,31 +151,33 @@ def _timing(problem: Problem, t: Column, grid: Grid, own: float, findings: tuple
     every, dt = (each / problem.tau * own for each in (problem.every, problem.dt))
     doubt = KNOWN
     last = abs(float(t.values[-1]))
-    if last > 0 and abs(t.values - grid.values).max() <= 2 * grid.unit and abs(grid.first) <= grid.unit:
+    if last > 0 and _usual(np.abs(t.values - grid.values) / t.units) <= 2 and abs(grid.first) <= grid.unit:
         seen = grid.unit / last
         if seen < KNOWN:  # the times tell the period better than theory
             own, doubt = own * (grid.every / every), max(seen, 1e-14)
             every, dt = (each / problem.tau * own for each in (problem.every, problem.dt))
-    yield Timing(_clock(t, dt, every, doubt), own, (*findings, *_layout(problem, t, grid, every, dt)))
+    yield Timing(_clock(t, grid, dt, every, doubt), own, (*findings, *_layout(problem, t, grid, every, dt)))
     # The times of all rows may be off by a step or a row, and the states those of t = 0 and so on.
     for name, moved in (("step_late", -dt), ("step_early", dt), ("row_late", -every), ("row_early", every)):
-        if abs(grid.first - moved) <= grid.unit + PERIOD * every:
+        if abs(moved) > 2 * grid.unit and abs(grid.first - moved) <= grid.unit + PERIOD * every:
             shifted = grid._replace(first=0.0)
             yield Timing(_numbered(problem, grid, dt), own, (*findings, error(name), *_ends(problem, shifted)))
 
 
-def _clock(t: Column, dt: float, every: float, doubt: float) -> Clock:
+def _clock(t: Column, grid: Grid, dt: float, every: float, doubt: float) -> Clock:
     """After how many steps the rows are. Where their times lie between steps, the steps are taken to be shorter."""
     values = np.where(np.isfinite(t.values), t.values, 0)
-    per_row = every / dt
-    places = np.round(values / every) if every > 0 else np.zeros_like(values)
-    is_on_grid = np.abs(values - places * every) <= t.units + 1e-9 * np.abs(values) + 0.01 * dt
-    steps = np.round(values / dt)
-    if is_on_grid.all():
-        whole = np.ceil(per_row * (1 - 1e-9))
+    places = grid.places + (round(grid.first / every) if every > 0 and abs(grid.first) < MOST_STEPS * every else 0)
+    nominal = places * every
+    is_on_grid = np.abs(values - nominal) <= t.units + 1e-9 * np.abs(values) + 0.01 * dt
+    unsure = np.zeros_like(values)
+    if np.sum(~is_on_grid) <= few_of(values.size):
+        whole = np.ceil(every / dt * (1 - 1e-9))
         steps, dt = places * whole, every / whole
-        unsure = np.zeros_like(values)
     else:
+        off = np.abs(values - nominal) > every / 2
+        values = np.where(off, nominal, values) if np.sum(off) <= few_of(values.size) else values
+        steps = np.round(values / dt)
         unsure = np.where(t.units > 0.4 * dt, t.units, 0)
     # A row that is earlier than the one before is wrong by its time.
     steps = np.maximum.accumulate(np.clip(steps, 0, MOST_STEPS))
@@ -182,46 +195,47 @@ def _other_spacings(problem: Problem, start: Start, t: Column, grid: Grid) -> It
         scaled = t._replace(values=t.values * tau, units=t.units * tau)
         inside = grid._replace(first=grid.first * tau, every=grid.every * tau, unit=grid.unit * tau)
         rows = _layout(problem, scaled, inside, factor * tau, factor_dt * tau)
-        clock = _clock(scaled, factor_dt * tau, factor * tau, KNOWN)
+        clock = _clock(scaled, inside, factor_dt * tau, factor * tau, KNOWN)
         yield Timing(clock, tau, (error("times_in_periods"), *rows), tau)
     per_row = problem.steps_per_row
     for rounded in {math.floor(per_row), round(per_row), math.ceil(per_row)} - {0}:
         every = rounded * factor_dt * tau
         if abs(per_row - rounded) > PERIOD and _is_spacing(grid, t, every, factor_dt * tau):
             said = remark("interval_rounded", **spacing)
-            yield Timing(_clock(t, factor_dt * tau, every, KNOWN), tau, (said,))
+            yield Timing(_clock(t, grid, factor_dt * tau, every, KNOWN), tau, (said,))
             return
     of_run = problem.every * problem.until / problem.tau
     if _is_spacing(grid, t, of_run, factor_dt * tau):
-        yield Timing(_clock(t, factor_dt * tau, of_run, KNOWN), tau, (error("interval_of_run", **spacing),))
+        yield Timing(_clock(t, grid, factor_dt * tau, of_run, KNOWN), tau, (error("interval_of_run", **spacing),))
         return
     for every in (factor, whole):
         if _is_spacing(grid, t, every, factor_dt * tau):
-            yield Timing(_clock(t, factor_dt * tau, every, KNOWN), tau, (error("seconds", **spacing),))
+            yield Timing(_clock(t, grid, factor_dt * tau, every, KNOWN), tau, (error("seconds", **spacing),))
     if abs(grid.every - factor_dt * tau) <= grid.unit / max(grid.rows - 1, 1) + PERIOD * grid.every:
-        yield Timing(_clock(t, factor_dt * tau, factor_dt * tau, KNOWN), tau, (error("every_step", every=factor * tau),))
+        yield Timing(_clock(t, grid, factor_dt * tau, factor_dt * tau, KNOWN), tau, (error("every_step", every=factor * tau),))
     own = grid.every / factor
     values = {"tau": tau, "got": own, **spacing}
     rows = _layout(problem, t, grid, grid.every, factor_dt * own)
     if any(finding.name == "uneven_rows" for finding in rows):
-        yield Timing(_clock(t, factor_dt * tau, factor * tau, KNOWN), tau, rows)
+        yield Timing(_clock(t, grid, factor_dt * tau, factor * tau, KNOWN), tau, rows)
         return
     said = off(start, own, doubt, values)
     sinusoid = own * (math.pi / float(said.values["pi"])) if said.name == "rough_pi" else own
-    yield Timing(_clock(t, factor_dt * own, grid.every, min(doubt, MOST_DOUBT)), sinusoid, (said, *rows))
+    yield Timing(_clock(t, grid, factor_dt * own, grid.every, min(doubt, MOST_DOUBT)), sinusoid, (said, *rows))
 
 
 def off(start: Start, own: float, doubt: float, values: dict[str, float]) -> Finding:
     """What to say of a period that no mistake of its own gives."""
     regime, _, tau = analysis(start)
     ratio = own / tau
+    least = _least(start)
     for pi in ROUGH_PIS:
         if regime != 0 and abs(ratio * math.pi / pi - 1) <= min(doubt, 1e-8 + PERIOD / 10):
             return error("rough_pi", pi=pi, **values)
     simple = Fraction(ratio).limit_denominator(LARGEST_RATIO)
     if simple != 1 and 0 < simple.numerator <= LARGEST_RATIO and abs(ratio - float(simple)) <= doubt * ratio and doubt < 1e-4:
         return error("tau_off", **values, ratio=str(simple))
-    if regime != 0 and first_term(start) < own < tau:
+    if regime != 0 and least < own < tau:
         sums = partial_sums(start)
         if np.min(np.abs(sums - own)) <= min(doubt, MOST_DOUBT) * own:
             return error("series_cut", **values, relative=1 - ratio)
@@ -233,15 +247,12 @@ def off(start: Start, own: float, doubt: float, values: dict[str, float]) -> Fin
 
 def _layout(problem: Problem, t: Column, grid: Grid, every: float, dt: float) -> tuple[Finding, ...]:
     """What is wrong with the rows of a program whose period is known."""
-    slack = 1.01 * dt + grid.unit
+    slack = min(1.01 * dt, every / 2) + grid.unit
     off = np.minimum(np.abs(t.values - grid.values), np.abs(t.values - grid.places * every))
     wrong = np.flatnonzero(off > slack)
-    if wrong.size == 1 and wrong.size < off.size - 3 and 0 < wrong[0] < off.size - 1:
-        return _ends(problem, grid)  # a wrong cell
-    if wrong.size:
+    if wrong.size > few_of(off.size):  # fewer are wrong cells
         return (error("uneven_rows", row=int(wrong[0]) + 1, every=every),)
-    there = 1e-9 * dt + float(t.units[0]) if grid.places[0] == 0 else slack
-    if abs(grid.first) <= there:
+    if abs(grid.first) <= grid.unit or (abs(grid.first) <= slack and abs(abs(grid.first) - dt) > grid.unit):
         return _ends(problem, grid)
     name = "late_start"
     if abs(grid.first - dt) <= grid.unit + PERIOD * dt:
@@ -263,3 +274,11 @@ def _ends(problem: Problem, grid: Grid) -> tuple[Finding, ...]:
         name = "last_row_lost" if more < 0 else "last_row_won"
         return (remark(name, **{value: counts[value] for value in ("until", "last")}),)
     return (error("early_end" if more < 0 else "late_end", **counts),)
+
+
+def _least(start: Start) -> float:
+    """T0; no period is shorter where it is no double."""
+    try:
+        return first_term(start)
+    except (ValueError, ArithmeticError):
+        return math.inf

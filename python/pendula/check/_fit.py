@@ -45,7 +45,8 @@ def terms(problem: Problem) -> Iterator[Term]:
         return Mistake("torque", "equation", {"torque": float(x[0])}, {"torque": float(x[0])})
 
     def factor(x: Floats) -> Mistake:
-        return Mistake("alpha_factor", "alpha", {"alpha": (float(x[0]), 1.0)}, {"factor": float(x[0])})
+        used = {"alpha": float(x[0]) * problem.alpha, "given": problem.alpha}
+        return Mistake("alpha_factor", "alpha", {"alpha": (float(x[0]), 1.0)}, used)
 
     def drive(x: Floats) -> Mistake:
         values = {"amplitude": float(x[0]), "frequency": abs(float(x[1]))}

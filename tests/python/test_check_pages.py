@@ -16,7 +16,7 @@ from pendula.check._pages import INDENT, WIDTH, Value, as_text, blocks, names, p
 # All findings, by the parts of a program, and the names of the values that each has.
 FINDINGS = """
 # reading
-other_header header words, no_header words, header_order header, mixed_separators line, comma_ambiguous line,
+other_header header words, no_header words, header_order header, mixed_separators line, comma_ambiguous line count,
 no_mark_utf16, folded_records, brackets, latex, extra_text line, few_digits digits, ragged line count,
 not_numbers line count, columns found, no_time, cartesian, swapped, extra_columns columns, table_missing,
 table_spare line, tables_exchanged problem place
@@ -25,23 +25,26 @@ theta0_in_degrees, omega0_in_degrees, both_in_degrees, theta0_as_degrees, omega0
 theta0_degrees_inverted, omega0_degrees_inverted, both_degrees_inverted, rough_pi pi, theta0_sign, omega0_sign,
 start_exchanged, omega0_is_root_alpha, omega0_forgotten, theta0_forgotten, single_constants
 # alpha
-alpha_root, alpha_square, alpha_inverse, alpha_unused, alpha_gravity alpha, alpha_product g, alpha_factor factor
+alpha_root, alpha_square, alpha_inverse, alpha_unused, alpha_gravity alpha, alpha_product g, alpha_factor alpha given
 # period
-period_doubled, period_halved, period_first_term, period_small, series_cut relative, logarithm_base_10,
+period_doubled, period_halved, period_without_half, period_first_term, period_small, period_modulus r,
+period_alpha factor, series_cut relative, series_without_first, series_not_squared, logarithm_base_10,
 limit_not_0999, limit_099, regime k, tau_off ratio, tau every spacing
 # stepper
 euler, euler_cromer, euler_theta_first, verlet, midpoint, heun, runge_kutta_3, single_precision, own_slopes,
-own_slopes_theta, own_slopes_omega, own_slopes_omega_first, own_slopes_h_missing, own_slopes_h_squared,
+own_slopes_theta, own_slopes_omega, own_slopes_omega_first, own_slopes_h_missing, own_slopes_h_squared, own_index,
 h_missing_stages, h_missing_d, h_twice, half_kept_d, halves_forgotten, half_forgotten_b, half_forgotten_c,
-integer_half, theta_before_omega, omega_before_theta, misprint_two_theta, misprint_theta_c_alone, misprint_theta_n,
-weights_unsorted, weights_sixth, weights_third_missing, integer_division, nothing_moves, estimates_of_theta_ignored,
-estimates_of_omega_ignored
+stages_accumulate, integer_half, theta_before_omega, omega_before_theta, misprint_two_theta, misprint_theta_c_alone, misprint_theta_n,
+weights_unsorted, weights_sixth, weights_equal, weights_third_missing,
+slope_left_out stage equation, integer_division, nothing_moves, estimates_of_theta_ignored,
+estimates_of_omega_ignored, wrong_sign_in_stage stage
 # equation
 linear, cosine, sine_cubic, sine_quintic, sine_of_degrees factor, upside_down, damping beta, torque torque,
 drive amplitude frequency, length_in_force
 # rows
-step_late, step_early, step_late_but_first, step_early_but_first, row_late, row_early, late_start first,
-starts_at_step first, starts_at_interval first, first_row_twice, every_step, seconds every spacing, times_in_periods,
+step_late, step_early, step_late_but_first, step_early_but_first, time_twice, row_late, row_early, late_start first,
+starts_at_step first, starts_at_interval first, first_row_twice, every_step, step_is_interval,
+seconds every spacing, interval_of_run every spacing, interval_rounded every spacing, times_in_periods,
 times_off, uneven_rows row every, one_row expected, last_row_lost until, last_row_won until last,
 early_end last until rows expected, late_end last until rows expected, not_judged t, wrong_cell count,
 unexplained order energy
@@ -49,9 +52,10 @@ unexplained order energy
 angle_in_degrees, velocity_in_degrees, not_normalised, wraps_one_side, wraps_fmod, wraps_zero_to_two_pi,
 wraps_closed_above, theta_absolute, theta_negated, omega_negated, omega_normalised
 # sinusoid
-sine_missing, sine_too_many, sine_not_numbers line, sine_other_sign, sine_no_phase, sine_quarter_turn,
+sine_missing, sine_too_many, sine_not_numbers line, sine_other_sign, sine_no_phase, sine_phase_outside, sine_quarter_turn,
 sine_initial_amplitude, sine_small_period, sine_double_period, sine_half_period, sine_without_two_pi,
-sine_without_amplitude, sine_phase_degrees, sine_by_acos, sine_negated, sine_step_late, sine_is_the_angle,
+sine_period_inverted, sine_without_period,
+sine_without_amplitude, sine_phase_degrees, sine_phase_theta0, sine_by_acos, sine_negated, sine_step_late, sine_is_the_angle,
 sine_not_wrapped, sine_unexplained
 """
 VALUES = {
@@ -62,13 +66,16 @@ VALUES = {
 # As long as they come; numbers with ten digits.
 SAMPLES: dict[str, Value] = {
     **dict.fromkeys(("every", "spacing", "first", "until", "last", "t", "relative"), -0.0123456789012),
-    **dict.fromkeys(("alpha", "g", "factor", "pi", "beta", "torque", "amplitude", "frequency"), -0.0123456789012),
+    **dict.fromkeys(("alpha", "given", "g", "factor", "pi", "beta", "torque", "amplitude", "frequency"), -0.0123456789012),
     **dict.fromkeys(("line", "count", "digits", "found", "problem", "place", "row", "rows", "expected", "k"), 10001),
     "header": "t [s] theta [rad] omega [rad/s] sine [rad]",
     "words": "t angulo velocidad funcionSinusoidal",
     "columns": "cinetica potencial total x y",
     "ratio": "11/12",
-    "order": "?",
+    "r": "sin(θM)/2",
+    "stage": "D",
+    "equation": "θ, ω",
+    "order": 3,
     "energy": "kept",
 }
 FIELDS = ("title", "says", "looks", "why", "find")
@@ -155,9 +162,15 @@ def test_floats_have_as_many_digits_as_asked_and_counts_have_all():
 
 
 def test_words_among_the_values_are_in_the_language():
-    values = {"order": "?", "energy": "kept"}
-    assert "The energy is kept" in say("unexplained", "en", values, 6)
-    assert "La energía se conserva" in say("unexplained", "es", values, 6)
+    values = {"order": 2, "energy": "kept"}
+    assert "The energy is kept. The errors are as large as those of a method of order 2." in say("unexplained", "en", values, 6)
+    assert "La energía se conserva. Los errores" in say("unexplained", "es", values, 6)
+
+
+def test_an_order_that_is_not_known_is_not_told():
+    values = {"order": "?", "energy": "grows"}
+    assert say("unexplained", "en", values, 6).endswith("The energy grows.")
+    assert say("unexplained", "es", values, 6).endswith("La energía crece.")
 
 
 def test_a_page_for_the_terminal_has_all_parts():
@@ -213,7 +226,14 @@ def to_fraction(fraction):
     return math.log(math.tan(fraction * math.pi / 4 + math.pi / 4))
 
 
+def of_modulus(r):
+    """The period of the series (3.7) with another r, for α = 1."""
+    return tau(2 * math.asin(r), 0)
+
+
 QUARTER = math.pi / 2  # the first example: 90° at rest
+NEAR_TOP = (0, 1.999999895801368)  # the second one
+SECOND_ROW = 0.02 * tau(QUARTER, 0)  # its time in the first example
 NUMBERS = [
     ("theta0_in_degrees", wrapped(90.0)),
     ("theta0_as_degrees", math.radians(QUARTER)),
@@ -222,6 +242,17 @@ NUMBERS = [
     ("period_first_term", tau(0, 0)),
     ("period_first_term", round(tau(QUARTER, 0), 4)),
     ("period_small", 0.02 * tau(0, 0)),
+    ("period_without_half", tau(0, 2 * 2.01)),
+    ("period_without_half", tau(0, 2.01)),
+    ("period_modulus", of_modulus(math.sin(1))),
+    ("period_modulus", tau(1, 0)),
+    ("period_modulus", of_modulus(math.sqrt(1 - NEAR_TOP[1] ** 2 / 4) * NEAR_TOP[1])),
+    ("period_modulus", tau(*NEAR_TOP)),
+    ("period_modulus", of_modulus(math.sin(QUARTER) / 2)),
+    ("series_without_first", tau(QUARTER, 0) - tau(0, 0)),
+    ("series_not_squared", tau(0, 0) / math.sqrt(1 - math.sin(QUARTER / 2))),
+    ("series_not_squared", round(tau(0, 0) / math.sqrt(1 - NEAR_TOP[1] / 2), -2)),
+    ("series_not_squared", round(100 * (1 / math.sqrt(1 - math.sin(math.radians(0.5))) - 1), 1)),
     ("logarithm_base_10", tau(0, -2) / math.log(10)),
     ("logarithm_base_10", tau(0, -2)),
     ("limit_not_0999", round(to_fraction(1), 1)),
@@ -230,6 +261,14 @@ NUMBERS = [
     ("limit_099", 0.999 * math.pi),
     ("linear", tau(0, 0)),
     ("sine_small_period", round(tau(QUARTER, 0) / tau(0, 0) - 1, 2)),
+    ("sine_phase_outside", QUARTER * math.sin(math.pi / 2) + QUARTER),
+    ("sine_period_inverted", round(tau(QUARTER, 0) ** 2)),
+    ("sine_period_inverted", QUARTER * math.sin(2 * math.pi * tau(QUARTER, 0) * SECOND_ROW + QUARTER)),
+    ("sine_period_inverted", QUARTER * math.sin(2 * math.pi * 0.02 + QUARTER)),
+    ("sine_without_period", round(tau(QUARTER, 0), 1)),
+    ("sine_without_period", QUARTER * math.sin(2 * math.pi * SECOND_ROW + QUARTER)),
+    ("sine_phase_theta0", math.radians(30) * math.sin(math.asin(math.radians(30)))),
+    ("sine_phase_theta0", math.radians(30)),
     ("sine_phase_degrees", QUARTER * math.sin(90)),
     ("sine_phase_degrees", QUARTER * math.sin(math.radians(QUARTER))),
 ]

@@ -36,6 +36,12 @@ ENERGY: dict[Value, Text] = {
     "swings": ("swings", "sube y baja"),
 }
 
+# A sentence of its own, for there may be none to tell ("?").
+ORDER: Text = (
+    "The errors are as large as those of a method of order {0}.",
+    "Los errores son tan grandes como los de un método de orden {0}.",
+)
+
 
 class Page(NamedTuple):
     """A finding's texts."""
@@ -81,7 +87,9 @@ def say(name: str, lang: str, values: Mapping[str, Value], digits: int) -> str:
     }
     if "energy" in shown:
         shown["energy"] = _command.say(ENERGY[shown["energy"]], lang)
-    return page(name, lang).says.format_map(shown)
+    if "order" in shown:
+        shown["order"] = "" if shown["order"] == "?" else _command.say(ORDER, lang, shown["order"])
+    return page(name, lang).says.format_map(shown).rstrip()
 
 
 def blocks(text: str) -> Iterator[tuple[bool, str]]:

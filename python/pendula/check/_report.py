@@ -35,7 +35,7 @@ TEXTS: dict[str, Text] = {
     "rows": ("{0} rows of {1}", "{0} filas de {1}"),
     "column": (
         "{0}: {1} of {2} rows right; at most {3:.1e} from what is right",
-        "{0}: {1} de {2} filas bien; como mucho a {3:.1e} de lo correcto",
+        "{0}: {1} de {2} filas bien; error máximo {3:.1e}",
     ),
     "sine": ("{0}: {1} of {2} rows right", "{0}: {1} de {2} filas bien"),
     "remark": ("remark: ", "nota: "),

@@ -247,9 +247,10 @@ def off(start: Start, own: float, doubt: float, values: dict[str, float]) -> Fin
 
 def _layout(problem: Problem, t: Column, grid: Grid, every: float, dt: float) -> tuple[Finding, ...]:
     """What is wrong with the rows of a program whose period is known."""
-    slack = min(1.01 * dt, every / 2) + grid.unit
+    late = min(1.01 * dt, every / 2)
+    slack = late + grid.unit
     off = np.minimum(np.abs(t.values - grid.values), np.abs(t.values - grid.places * every))
-    wrong = np.flatnonzero(off > slack)
+    wrong = np.flatnonzero(off > late + 2 * t.units)
     if wrong.size > few_of(off.size):  # fewer are wrong cells
         return (error("uneven_rows", row=int(wrong[0]) + 1, every=every),)
     if abs(grid.first) <= grid.unit or (abs(grid.first) <= slack and abs(abs(grid.first) - dt) > grid.unit):

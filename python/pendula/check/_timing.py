@@ -10,7 +10,6 @@ import numpy as np
 
 from pendula.check._finding import Finding, error, remark
 from pendula.check._periods import Period, first_term, partial_sums, wrong_periods
-from pendula.check._predict import few_of
 from pendula.check._program import Clock, Problem, Start, analysis
 
 if TYPE_CHECKING:
@@ -68,19 +67,20 @@ class Grid(NamedTuple):
 
 def grid_of(t: Column, places: Floats) -> Grid:
     """The evenly spaced times nearest to those printed; a few wrong ones among them do not matter."""
-    unit = float(np.median(t.units))
+    unit = _usual(t.units)
     if places.size < 2 or not places[-1] > places[0]:
         return Grid(float(t.values[0]), 0.0, places, unit)
     every = float((t.values[-1] - t.values[0]) / (places[-1] - places[0]))
     first = float(t.values[0]) - places[0] * every
     off = np.abs(t.values - first - places * every)
-    if np.sum(off > 2 * t.units) > few_of(places.size):
+    if np.sum(off > 2 * t.units) > one_of(places.size):
         # The first or the last may be among the wrong ones.
         robust = float(np.median(np.diff(t.values) / np.diff(places)))
         level = float(np.median(t.values - places * robust))
         near = np.abs(t.values - level - places * robust) <= robust / 2
-        if robust > 0 and np.sum(near) >= places.size - few_of(places.size) and not near.all():
+        if robust > 0 and np.sum(near) >= places.size - one_of(places.size) and not near.all():
             every, first = map(float, np.polyfit(places[near], t.values[near], 1))
+            first = 0.0 if abs(first) <= 2 * unit else first
     return Grid(first, every, places, unit)
 
 
@@ -102,6 +102,12 @@ def timings(problem: Problem, start: Start, t: Column, places: Floats, pi: float
     if _is_spacing(grid, t, factor_every * right, factor_dt * right):
         for timing in _timing(problem, t, grid, right, ()):
             yield timing._replace(tau=timing.tau * (math.pi / pi))
+        return
+    of_run = problem.every * problem.until / problem.tau
+    is_whole_run = abs(t.values[-1] - problem.until) < of_run and abs(problem.until / problem.tau - 1) > PERIOD
+    if is_whole_run and _is_spacing(grid, t, of_run, problem.dt):
+        spacing = {"every": problem.every, "spacing": grid.every}
+        yield Timing(_clock(t, grid, problem.dt, of_run, KNOWN), tau, (error("interval_of_run", **spacing),))
         return
     known = [
         (mistake, own) for mistake, own in wrong_periods(start) if _is_spacing(grid, t, factor_every * own, factor_dt * own)
@@ -130,20 +136,31 @@ def _numbered(problem: Problem, grid: Grid, dt: float) -> Clock:
 
 def _is_spacing(grid: Grid, t: Column, every: float, dt: float) -> bool:
     """Whether rows are as far apart as that; a program may print each at the end of the step that reaches its time."""
-    late = min(1.01 * dt, every / 2)  # one step a row leaves no room
+    late = _latest(every, dt)
     ends = np.round(t.values / dt) * dt
     is_at_end = np.abs(t.values - ends) <= t.units + PERIOD * np.abs(t.values)
     fits = is_at_end & (np.abs(t.values - grid.places * every) <= late + t.units)
-    if np.sum(~fits) <= few_of(fits.size):
+    if np.sum(~fits) <= one_of(fits.size):
         return True
     off = _usual(np.abs(t.values - grid.values) / t.units) * grid.unit
     drift = 2 * grid.unit if off <= 2 * grid.unit else late + grid.unit
     return bool(abs(grid.every - every) * (grid.rows - 1) <= drift + PERIOD * every * grid.rows)
 
 
+def one_of(rows: int) -> int:
+    """How many wrong times among so many are a wrong cell, and no mistake of the program."""
+    return 1 if rows > 3 else 0
+
+
 def _usual(off: Floats) -> float:
-    """The largest but for a few."""
-    return float(np.sort(off)[-1 - few_of(off.size)])
+    """The largest, but for one that may be wrong."""
+    return float(np.sort(off)[-1 - one_of(off.size)])
+
+
+def _latest(every: float, dt: float) -> float:
+    """How late a row may be that is printed at the end of the step that reaches its time."""
+    per_row = every / dt
+    return min(1.01 * dt, every / 2) if abs(per_row - round(per_row)) <= PERIOD * per_row else 1.01 * dt
 
 
 def _timing(problem: Problem, t: Column, grid: Grid, own: float, findings: tuple[Finding, ...]) -> Iterator[Timing]:
@@ -171,12 +188,12 @@ def _clock(t: Column, grid: Grid, dt: float, every: float, doubt: float) -> Cloc
     nominal = places * every
     is_on_grid = np.abs(values - nominal) <= t.units + 1e-9 * np.abs(values) + 0.01 * dt
     unsure = np.zeros_like(values)
-    if np.sum(~is_on_grid) <= few_of(values.size):
+    if np.sum(~is_on_grid) <= one_of(values.size):
         whole = np.ceil(every / dt * (1 - 1e-9))
         steps, dt = places * whole, every / whole
     else:
         off = np.abs(values - nominal) > every / 2
-        values = np.where(off, nominal, values) if np.sum(off) <= few_of(values.size) else values
+        values = np.where(off, nominal, values) if np.sum(off) <= one_of(values.size) else values
         steps = np.round(values / dt)
         unsure = np.where(t.units > 0.4 * dt, t.units, 0)
     # A row that is earlier than the one before is wrong by its time.
@@ -204,10 +221,6 @@ def _other_spacings(problem: Problem, start: Start, t: Column, grid: Grid) -> It
             said = remark("interval_rounded", **spacing)
             yield Timing(_clock(t, grid, factor_dt * tau, every, KNOWN), tau, (said,))
             return
-    of_run = problem.every * problem.until / problem.tau
-    if _is_spacing(grid, t, of_run, factor_dt * tau):
-        yield Timing(_clock(t, grid, factor_dt * tau, of_run, KNOWN), tau, (error("interval_of_run", **spacing),))
-        return
     for every in (factor, whole):
         if _is_spacing(grid, t, every, factor_dt * tau):
             yield Timing(_clock(t, grid, factor_dt * tau, every, KNOWN), tau, (error("seconds", **spacing),))
@@ -247,11 +260,11 @@ def off(start: Start, own: float, doubt: float, values: dict[str, float]) -> Fin
 
 def _layout(problem: Problem, t: Column, grid: Grid, every: float, dt: float) -> tuple[Finding, ...]:
     """What is wrong with the rows of a program whose period is known."""
-    late = min(1.01 * dt, every / 2)
+    late = _latest(every, dt)
     slack = late + grid.unit
     off = np.minimum(np.abs(t.values - grid.values), np.abs(t.values - grid.places * every))
     wrong = np.flatnonzero(off > late + 2 * t.units)
-    if wrong.size > few_of(off.size):  # fewer are wrong cells
+    if wrong.size > one_of(off.size):  # fewer are wrong cells
         return (error("uneven_rows", row=int(wrong[0]) + 1, every=every),)
     if abs(grid.first) <= grid.unit or (abs(grid.first) <= slack and abs(abs(grid.first) - dt) > grid.unit):
         return _ends(problem, grid)

@@ -158,7 +158,7 @@ def _likeliest(problem: Problem, views: Sequence[tuple[str, View]]) -> tuple[str
 
 def _are_cells(view: View) -> bool:
     """Whether so few cells are wrong that they are no mistake of the program."""
-    return are_cells(sum(int(each.sum()) for each in view.wrong), view.columns.t.values.size)
+    return are_cells(int(np.any(view.wrong, axis=0).sum()), view.columns.t.values.size)
 
 
 def _without_first(table: Table) -> Table:
@@ -242,7 +242,7 @@ def _wrong_times(t: Column, timing: Timing) -> npt.NDArray[np.bool_]:
         return np.zeros(t.values.size, bool)
     slack = t.units + (clock.doubt + PERIOD) * np.abs(clock.t) + clock.unsure
     wrong: npt.NDArray[np.bool_] = ~(np.abs(t.values * timing.unit - clock.t) <= slack)
-    return wrong
+    return wrong | (np.diff(t.values, prepend=t.values[0]) < 0)
 
 
 def _is_right(view: View) -> bool:

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 ROUNDING = 1e-11  # relative: what the roundings of ten thousand steps may be worth
 MOST_WORK = 1 << 22  # steps of a program that is replayed; more are taken by the closed form
-ENERGY = 4e-15  # of 2α: what roundings add to the energy
+ENERGY = 4e-16  # of 2α: what the rounding of a step adds to the energy; those of many steps add up at random
 FEW_CELLS = 0.05  # of the rows
 DECIDES = 0.1  # rad: beyond this, what rounding may be worth leaves nothing to judge
 
@@ -55,7 +55,7 @@ def predictions(runs: Sequence[Run]) -> list[Prediction]:
     """What the programs print, each with the spread of what is legitimately unknown: roundings, and the period."""
     three: list[Run] = []
     for program, clock, start in runs:
-        moved = _moved(start)
+        moved = _moved(start, float(clock.steps.max(initial=0)))
         slower = clock._replace(dt=clock.dt * (1 + clock.doubt))
         three += [Run(program, clock, start), Run(program, clock, moved), Run(program, slower, start)]
     programs, clocks, starts = zip(*three, strict=True) if three else ((), (), ())
@@ -84,12 +84,13 @@ def _largest(spread: Motion, alpha: float) -> tuple[tuple[float, Floats], ...]:
     return (1.0, spread.theta), (float(np.sqrt(alpha)), spread.omega)
 
 
-def _moved(start: Start) -> Start:
+def _moved(start: Start, steps: float) -> Start:
     """The initial state farther on by what roundings may be worth: in itself, and in its energy, which decides near the top."""
     theta0, omega0, alpha = start
     slope = np.array([alpha * np.sin(theta0), omega0 * np.sqrt(alpha)])  # of the energy, in θ and ω/√α
     length = float(np.hypot(*slope))
-    kick = ENERGY * alpha * slope / length**2 if ENERGY * alpha < length**2 else np.zeros(2)
+    gain = ENERGY * alpha * np.sqrt(1.0 + steps)
+    kick = gain * slope / length**2 if gain < length**2 else np.zeros(2)
     return Start(
         theta0 * (1 + ROUNDING) + float(kick[0]), omega0 * (1 + ROUNDING) + float(kick[1]) * float(np.sqrt(alpha)), alpha
     )
@@ -115,7 +116,7 @@ def right_prediction(clock: Clock, start: Start) -> Prediction:
 def by_closed_form(start: Start, clock: Clock) -> Prediction:
     """The closed form with the spread that Runge-Kutta would have, where its steps are too many to be taken."""
     t = clock.t
-    moved = _moved(start)
+    moved = _moved(start, float(clock.steps.max(initial=0)))
     three = ((start, t), (moved, t), (start, t * (1 + clock.doubt)))
     motions = [closed_form(each, times) for each, times in three]
     theta, omega = (np.array([motion[i] for motion in motions]) for i in (0, 1))

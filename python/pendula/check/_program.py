@@ -91,7 +91,7 @@ class Stepper(NamedTuple):
         with np.errstate(over="ignore", invalid="ignore"):
             scale = np.power(h, self.power)[:, None]
             matrices = [each * scale for each in (self.angle, self.own_angle, self.own_velocity, self.velocity)]
-            total = h**self.sum_power
+            total = np.power(h, self.sum_power)
         nothing = np.zeros_like(self.theta_sum)
         parts = np.column_stack([self.theta, self.omega, self.time * h])
         sums = [np.concatenate([self.theta_sum, nothing]), np.concatenate([nothing, self.omega_sum])]

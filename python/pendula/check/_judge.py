@@ -25,7 +25,7 @@ from pendula.check._predict import (
 from pendula.check._program import RIGHT, Problem, Start, analysis, taken
 from pendula.check._sinusoid import UNKNOWN, fits, of_sinusoid, right_sinusoid
 from pendula.check._table import ROLES, WORDS, Column, Columns, columns_at, placements, roles_of
-from pendula.check._timing import PERIOD, Timing, timings
+from pendula.check._timing import Timing, timings
 from pendula.check._wrapping import of_wrapping
 
 if TYPE_CHECKING:
@@ -240,7 +240,7 @@ def _wrong_times(t: Column, timing: Timing) -> npt.NDArray[np.bool_]:
     clock = timing.clock
     if timing.changes:
         return np.zeros(t.values.size, bool)
-    slack = t.units + (clock.doubt + PERIOD) * np.abs(clock.t) + clock.unsure
+    slack = t.units + (clock.doubt + 1e-9) * np.abs(clock.t) + clock.unsure
     wrong: npt.NDArray[np.bool_] = ~(np.abs(t.values * timing.unit - clock.t) <= slack)
     return wrong | (np.diff(t.values, prepend=t.values[0]) < 0)
 

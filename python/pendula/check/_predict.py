@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from pendula import _core
+from pendula._closed_form import exact
 from pendula.check._mistakes import PRINTINGS, Mistake
 from pendula.check._program import RIGHT, Clock, Motion, Program, Start, closed_form, replay
 
@@ -15,12 +16,13 @@ if TYPE_CHECKING:
 
     import numpy.typing as npt
 
-    from pendula.check._program import Floats, Integers
+    from pendula.check._program import Floats
     from pendula.check._table import Column, Columns
 
 ROUNDING = 1e-11  # relative: what the roundings of ten thousand steps may be worth
 MOST_WORK = 1 << 22  # steps of a program that is replayed; more are taken by the closed form
 ENERGY = 4e-16  # of 2α: what the rounding of a step adds to the energy; those of many steps add up at random
+FAR = 1e6  # rad, and of ω/√α: no digits tell a state from such a one
 FEW_CELLS = 0.05  # of the rows
 DECIDES = 0.1  # rad: beyond this, what rounding may be worth leaves nothing to judge
 
@@ -133,36 +135,34 @@ def not_judged_from(prediction: Prediction) -> int:
 
 
 def wrong_locally(start: Start, clock: Clock, columns: Columns) -> tuple[npt.NDArray[np.bool_], ...]:
-    """Rows, but the first, that do not follow by Runge-Kutta from the row before, as far as its digits tell."""
+    """Rows, but the first, that do not follow from the row before, as far as its digits and Runge-Kutta's error tell."""
     between = np.maximum(np.diff(clock.steps), 0)
-    wrong = [np.zeros(columns.t.values.size, bool) for _ in range(2)]
+    wrong = tuple(np.zeros(columns.t.values.size, bool) for _ in range(2))
     if between.max(initial=0) > MOST_WORK // 64 or between.size == 0:
-        return tuple(wrong)
-    with np.errstate(all="ignore"):
-        return _follow(start, clock, columns, between, wrong)
-
-
-def _follow(
-    start: Start, clock: Clock, columns: Columns, between: Integers, wrong: list[npt.NDArray[np.bool_]]
-) -> tuple[npt.NDArray[np.bool_], ...]:
-    theta, omega = columns.theta, columns.omega
-    # As printed; one unit farther on; and with half the step, for Runge-Kutta's own error.
-    moved = ((0, 0), (1, 0), (0, 1), (0, 0))
-    starts = [
-        Start(float(theta.values[i] + a * theta.units[i]), float(omega.values[i] + b * omega.units[i]), start.alpha)
-        for i in range(between.size)
-        for a, b in moved
-    ]
-    usual = [clock._replace(steps=between[i : i + 1]) for i in range(between.size)]
-    finer = [clock._replace(steps=2 * each.steps, dt=clock.dt / 2) for each in usual]
-    clocks = [each for pair in zip(usual, finer, strict=True) for each in (pair[0], pair[0], pair[0], pair[1])]
-    motion = replay([RIGHT] * len(starts), clocks, starts)
-    for each, column, is_angle in zip(wrong, (theta, omega), (True, False), strict=True):
-        after = (motion.theta if is_angle else motion.omega).reshape(-1, len(moved))
-        slack = np.abs(after[:, 1:] - after[:, :1]).sum(axis=1) + column.units[1:] + ROUNDING
-        off = column.values[1:] - after[:, 0]
-        each[1:] = ~(np.abs(wrap(off) if is_angle else off) <= 2 * slack)
-    return tuple(wrong)
+        return wrong
+    rate = float(np.sqrt(start.alpha))
+    units = [columns.theta.units[:-1] + ROUNDING, columns.omega.units[:-1] + ROUNDING * rate]
+    units = [np.minimum(unit, FAR * scale) for unit, scale in zip(units, (1.0, rate), strict=True)]
+    theta, omega = columns.theta.values[:-1], columns.omega.values[:-1]
+    finite = (np.abs(theta) < FAR) & (np.abs(omega) < FAR * rate)
+    theta, omega = np.where(finite, theta, 0), np.where(finite, omega, 0)
+    t = between * np.float64(clock.dt)
+    # As printed, and one unit to either side: near the top they part.
+    sides = ((0, 0), (1, 0), (-1, 0), (0, 1), (0, -1))
+    states = [(theta + a * units[0], omega + b * units[1]) for a, b in sides]
+    after = [exact(*state, t, alpha=start.alpha) for state in states]
+    starts = [Start(float(a), float(b), start.alpha) for a, b in zip(theta, omega, strict=True)]
+    clocks = [clock._replace(steps=between[i : i + 1]) for i in range(between.size)]
+    by_rk4 = replay([RIGHT] * len(starts), clocks, starts)
+    is_open = np.max([np.abs(np.asarray(motion[0]) - after[0][0]) for motion in after[1:]], axis=0) > DECIDES
+    for i, (each, column) in enumerate(zip(wrong, (columns.theta, columns.omega), strict=True)):
+        there = np.asarray(after[0][i])
+        spread = sum(np.abs(np.asarray(motion[i]) - there) for motion in after[1:])
+        error = np.abs(by_rk4[i][:, 0] - there)
+        off = column.values[1:] - there
+        slack = 2 * (spread + error + column.units[1:]) + ROUNDING * (1.0, rate)[i]
+        each[1:] = ~(np.abs(wrap(off) if i == 0 else off) <= slack) & ~is_open | ~finite
+    return wrong
 
 
 def wrong_in_energy(clock: Clock, start: Start, columns: Columns) -> npt.NDArray[np.bool_]:

@@ -77,7 +77,7 @@ def grid_of(t: Column, places: Floats) -> Grid:
         # The first or the last may be among the wrong ones.
         robust = float(np.median(np.diff(t.values) / np.diff(places)))
         level = float(np.median(t.values - places * robust))
-        near = np.abs(t.values - level - places * robust) <= robust / 2
+        near = np.abs(t.values - level - places * robust) <= np.maximum(2 * t.units, robust / 20)
         if robust > 0 and np.sum(near) >= places.size - one_of(places.size) and not near.all():
             every, first = map(float, np.polyfit(places[near], t.values[near], 1))
             first = 0.0 if abs(first) <= 2 * unit else first

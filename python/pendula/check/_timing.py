@@ -65,7 +65,7 @@ class Grid(NamedTuple):
         return self.first + self.every * self.places
 
 
-def grid_of(t: Column, places: Floats) -> Grid:
+def grid_of(t: Column, places: Floats, dt: float) -> Grid:
     """The evenly spaced times nearest to those printed; a few wrong ones among them do not matter."""
     unit = _usual(t.units)
     if places.size < 2 or not places[-1] > places[0]:
@@ -78,7 +78,8 @@ def grid_of(t: Column, places: Floats) -> Grid:
         robust = float(np.median(np.diff(t.values) / np.diff(places)))
         level = float(np.median(t.values - places * robust))
         near = np.abs(t.values - level - places * robust) <= np.maximum(2 * t.units, robust / 20)
-        if robust > 0 and np.sum(near) >= places.size - one_of(places.size) and not near.all():
+        far = np.abs(t.values - level - places * robust) > 1.01 * dt + 2 * t.units  # no end of a step
+        if robust > 0 and np.sum(near) == places.size - one_of(places.size) and far[~near].all():
             every, first = map(float, np.polyfit(places[near], t.values[near], 1))
             first = 0.0 if abs(first) <= 2 * unit else first
     return Grid(first, every, places, unit)
@@ -91,7 +92,7 @@ def timings(problem: Problem, start: Start, t: Column, places: Floats, pi: float
     """
     tau = analysis(start)[2]
     factor_every, factor_dt = problem.every / problem.tau, problem.dt / problem.tau
-    grid = grid_of(t, places)
+    grid = grid_of(t, places, problem.dt)
     if grid.rows == 1 or not grid.every > 0:
         dt = factor_dt * tau
         expected = int(min(problem.rows, MOST_STEPS))

@@ -171,7 +171,7 @@ def _timing(problem: Problem, t: Column, grid: Grid, own: float, findings: tuple
     last = abs(float(t.values[-1]))
     if last > 0 and _usual(np.abs(t.values - grid.values) / t.units) <= 2 and abs(grid.first) <= grid.unit:
         seen = grid.unit / last
-        if seen < KNOWN:  # the times tell the period better than theory
+        if seen < KNOWN and abs(grid.every / every - 1) <= PERIOD:  # the times tell the period better than theory
             own, doubt = own * (grid.every / every), max(seen, 1e-14)
             every, dt = (each / problem.tau * own for each in (problem.every, problem.dt))
     yield Timing(_clock(t, grid, dt, every, doubt), own, (*findings, *_layout(problem, t, grid, every, dt)))

@@ -175,6 +175,14 @@ def _timing(problem: Problem, t: Column, grid: Grid, own: float, findings: tuple
             own, doubt = own * (grid.every / every), max(seen, 1e-14)
             every, dt = (each / problem.tau * own for each in (problem.every, problem.dt))
     yield Timing(_clock(t, grid, dt, every, doubt), own, (*findings, *_layout(problem, t, grid, every, dt)))
+    # Digits may be too few to tell a row at its time from one at the end of the step that reaches it, or at the nearest.
+    per_row = every / dt
+    if abs(per_row - round(per_row)) > PERIOD * per_row and grid.unit > 1e-3 * dt:
+        layout = _layout(problem, t, grid, every, dt)
+        for whole in (np.ceil(grid.places * per_row * (1 - 1e-9)), np.round(grid.places * per_row)):
+            if np.all(np.abs(whole * dt - t.values) <= t.units + PERIOD * np.abs(t.values)):
+                clock = Clock(whole.astype(np.int64), dt, doubt, np.zeros(whole.size))
+                yield Timing(clock, own, (*findings, *layout))
     # The times of all rows may be off by a step or a row, and the states those of t = 0 and so on.
     for name, moved in (("step_late", -dt), ("step_early", dt), ("row_late", -every), ("row_early", every)):
         if abs(moved) > 2 * grid.unit and abs(grid.first - moved) <= grid.unit + PERIOD * every:

@@ -10,7 +10,7 @@ import numpy as np
 from pendula import _core
 from pendula.check._finding import Finding, Where, error
 from pendula.check._periods import small_period
-from pendula.check._predict import are_cells
+from pendula.check._predict import ROUNDING, are_cells
 from pendula.check._program import DEGREE, RIGHT, Problem, Start, analysis, closed_form, taken
 from pendula.check._table import WORDS, Column, Columns
 
@@ -99,9 +99,10 @@ def _slack(start: Start, t: Floats, tau_doubt: float) -> Floats:
     _, theta_max, tau = analysis(start)
     theta_max = abs(theta_max)
     if not theta_max > TINY:
-        return np.zeros_like(t)
+        return np.full_like(t, 1e-7 * theta_max)
     delta = min(1.0, 4 * EPSILON / (theta_max * max(math.sin(theta_max), EPSILON)))
-    slack: Floats = theta_max * (tau_doubt * (1 + 2 * np.pi * np.abs(t) / tau) + delta + np.sqrt(2 * delta))
+    rough = tau_doubt if tau_doubt > UNKNOWN else ROUNDING  # constants that are off are so in the phase, too
+    slack: Floats = theta_max * (rough + tau_doubt * 2 * np.pi * np.abs(t) / tau + delta + np.sqrt(2 * delta))
     return slack
 
 

@@ -152,6 +152,7 @@ def wrong_locally(start: Start, clock: Clock, columns: Columns) -> tuple[npt.NDA
     sides = ((0, 0), (1, 0), (-1, 0), (0, 1), (0, -1))
     states = [(theta + a * units[0], omega + b * units[1]) for a, b in sides]
     after = [exact(*state, t, alpha=start.alpha) for state in states]
+    after.append(exact(theta, omega, t * (1 + clock.doubt), alpha=start.alpha))
     starts = [Start(float(a), float(b), start.alpha) for a, b in zip(theta, omega, strict=True)]
     clocks = [clock._replace(steps=between[i : i + 1]) for i in range(between.size)]
     by_rk4 = replay([RIGHT] * len(starts), clocks, starts)

@@ -20,7 +20,7 @@ struct PeriodicOrbit {
     double imaginary = 0;       ///< the imaginary part of the first multiplier, >= 0; the second has the opposite one
     double exponent[2] = {};    ///< Floquet's exponents [s^-1]: ln |multiplier|/time, the larger first
     double exponent_error = 0;  ///< bound of the error of the exponents [s^-1]
-    bool is_found = false;      ///< whether Newton's method converged
+    bool is_found = false;      ///< whether Newton's method converged, and not on rest where there is none
     bool is_stable = false;     ///< whether both multipliers are inside the unit circle, by more than their error
 };
 

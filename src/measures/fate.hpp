@@ -28,6 +28,10 @@ struct Fate {
     Estimate dimension{};  ///< Kaplan and Yorke's, in the plane of the section
 };
 
+/// Whether a pendulum without a drive has equilibria. Otherwise all its orbits turn over, though near alpha, where they are
+/// slow, a state may move by less than a rounding in a period.
+constexpr bool has_rest(const Pendulum& p) noexcept { return p.torque <= p.alpha && -p.torque <= p.alpha; }
+
 /// Sets the rotation from the velocity.
 void set_velocity(Fate& fate, Estimate velocity, double frequency) noexcept;
 

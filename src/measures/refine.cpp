@@ -110,8 +110,8 @@ void set_multipliers(PeriodicOrbit& o, const Return& r, const Pendulum& p, doubl
     const double least = abs(trace) > wrong ? abs(trace) - wrong : 0;
     const double above = exponent_of(abs(trace) + wrong, determinant, r.scale, time) - o.exponent[0];
     const double below = o.exponent[0] - exponent_of(least, determinant, r.scale, time);
-    // Real multipliers grow by steps, some two for each 1/sqrt(alpha), and each step is rounded.
-    const double steps = square < 0 ? 0 : sqrt(p.alpha + abs(p.pivot_amplitude));
+    // Real multipliers are products over the steps of Taylor's method, some one for each 1/sqrt(alpha), and each is rounded.
+    const double steps = square < 0 ? 0 : sqrt(p.alpha + abs(p.pivot_amplitude));  // a second
     o.exponent_error = (above > below ? above : below) + 0x1p-50 * (abs(o.exponent[0]) + p.beta + steps);
     o.is_stable = o.exponent[0] + o.exponent_error < 0;
 }
@@ -120,10 +120,6 @@ void set_multipliers(PeriodicOrbit& o, const Return& r, const Pendulum& p, doubl
 bool is_at_rest(const Pendulum& p, State at) noexcept {
     return at.omega == 0 && p.torque == 0 && p.drive_amplitude == 0 && (at.theta == 0 || rests_on_top(p, at));
 }
-
-/// Whether a pendulum without a drive has a torque beyond alpha. All its orbits turn over, though near that torque a state that
-/// moves by less than a rounding in a period seems to rest.
-bool has_no_rest(const Pendulum& p) noexcept { return !is_driven(p) && abs(p.torque) > p.alpha; }
 
 /// A relative error of a step of the map: of rounding, or of the tolerance.
 double noise_of(const Strobe& strobe) noexcept {
@@ -151,7 +147,8 @@ bool refine_within(const Pendulum& p, State guess, double period, double reach, 
         const double size = newton.step.length(), scale = 1 + abs(at.omega) / root_alpha;
         if (!(size - size == 0)) return true;
         if (size <= 0x1p-50 * scale || (size >= 0.5 * before && size < 0x1p-24 * scale)) {
-            orbit.is_found = !(r.turns == 0 && has_no_rest(p));
+            if (r.turns == 0 && !is_driven(p) && !has_rest(p)) return true;
+            orbit.is_found = true;
             orbit.point = {wrap(at.theta + newton.step.x), at.omega + newton.step.y * root_alpha};
             orbit.error = size + newton.stretch * noise * period * scale;
             orbit.turns = r.turns;

@@ -18,16 +18,16 @@ namespace {
 constexpr double larger_of(double a, double b) noexcept { return a > b ? a : b; }
 
 /// How far a rotation number is from the farthest ratio p/q with a denominator up to 64 that a motion seen for so many periods
-/// may still be locked to; 0 if there is none. A motion that is locked but settles slowly creeps by at most one turn of
+/// may still be locked to; -1 if there is none. A motion that is locked but settles slowly creeps by at most one turn of
 /// q times its angle, and looks quasi-periodic. So a ratio is ruled out only if q times the rotation has left it by more than
 /// two turns, and by far more than its error.
 double distance_of_lock(const Estimate& rotation, double periods) noexcept {
     constexpr double largest_denominator = 64, least_distance = 1e-6, turns = 2;
     const double reach = larger_of(16 * rotation.error, least_distance);
-    double farthest = 0;
+    double farthest = -1;
     for (double q = 1; q <= largest_denominator; ++q) {
         const double distance = abs(rotation.value - round_even(q * rotation.value) / q);
-        if (distance <= larger_of(reach, turns / (q * periods))) farthest = larger_of(farthest, larger_of(distance, 0x1p-1022));
+        if (distance <= larger_of(reach, turns / (q * periods))) farthest = larger_of(farthest, distance);
     }
     return farthest;
 }
@@ -158,7 +158,7 @@ struct Pursuit {
         const double contraction = m.chunk.parameters.beta[i] * m.period[i];
         const bool is_neutral = abs(f.growth.value) <= f.growth.error;
         const bool is_sharp =
-            contraction == 0 || (f.growth.error < 0.2 * contraction && distance_of_lock(f.rotation, windows.periods) == 0);
+            contraction == 0 || (f.growth.error < 0.2 * contraction && distance_of_lock(f.rotation, windows.periods) < 0);
         const bool is_curve = is_neutral && is_sharp && f.rotation.error < converged && !f.search.has_orbit();
         return is_curve ? Kind::quasi_periodic : Kind::unsettled;
     }

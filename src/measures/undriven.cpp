@@ -38,7 +38,7 @@ struct Slope {
     explicit Slope(const Pendulum& of) noexcept : p(of) {
         p.torque = abs(p.torque);
         curve = sqrt((p.alpha - p.torque) * (p.alpha + p.torque));
-        saddle = p.torque <= p.alpha ? pi - atan2(p.torque, curve) : nan;
+        saddle = has_rest(p) ? pi - atan2(p.torque, curve) : nan;
     }
 
     /// Whether the motion is certain to end at rest. If torque = alpha, the equilibria have merged at x = theta - saddle = 0,
@@ -214,7 +214,7 @@ Fate undecided(const Run& run, double sign, double frequency) noexcept {
     const auto& now = run.taylor.step;
     double most = p.torque / p.beta;
     if (run.turn.next < run.turn.kinetic) most = least_of(most, 2 * pi / run.turn.period);
-    const bool must_rotate = p.torque > p.alpha;
+    const bool must_rotate = !has_rest(p);
     Fate fate{.kind = must_rotate ? Kind::rotating : Kind::unsettled, .end = {sign * now.start.theta, sign * now.start.omega}};
     set_velocity(fate, {0.5 * sign * most, 0.5 * most}, frequency);
     const double lowest = must_rotate ? 0 : -0.5 * p.beta;

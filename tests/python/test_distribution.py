@@ -2,6 +2,7 @@
 
 import importlib.metadata
 import io
+import os
 import re
 import subprocess
 import sys
@@ -122,3 +123,16 @@ def test_a_wheel_serves_a_fresh_environment(distributions, tmp_path):
     assert run(tmp_path / "bin/pendula", "--version") == f"pendula {pendula.__version__}\n"
     angle = run(tmp_path / "bin/python", "-W", "error", "-c", "import pendula; print(pendula.exact(1.0, 0.5, 2.0)[0].hex())")
     assert angle.strip() == np.float64(pendula.exact(1.0, 0.5, 2.0)[0]).hex()
+
+
+@pytest.mark.parametrize("name", ["nosuch", ""])
+def test_a_wrong_instruction_set_stops_the_import(name):
+    done = subprocess.run(
+        [sys.executable, "-c", "import pendula"],
+        env=os.environ | {"PENDULA_ISA": name},
+        capture_output=True,
+        text=True,
+        timeout=60,
+    )
+    assert done.returncode == 1
+    assert "ImportError: PENDULA_ISA must be one of the instruction sets of this processor" in done.stderr

@@ -99,12 +99,18 @@ def _powers(cells: Cells) -> Integers:
     longest = [_longest(column[column > 0]) for column in (digits - is_more * has_exponent).T]
     # A stream prints all columns alike: one of round numbers has as many digits as those beside it.
     beside = max((most for most, is_cut in zip(longest, cut, strict=True) if is_cut), default=0)
+    # NumPy prints all columns with as many decimals.
+    is_number = digits > 0
+    common = _longest(decimals[is_number])
+    are_fixed = values.shape[1] > 1 and _are_shown(digits[is_number], decimals[is_number], common)
     powers = np.zeros(values.shape, np.int64)
     for place, (value, digit, decimal) in enumerate(zip(values.T, digits.T, decimals.T, strict=True)):
         significant = max(longest[place], beside) if cut[place] else longest[place]
         # A digit less than others have may also be the zero before the point of numbers with fixed decimals.
         is_even = cut[place] and significant > longest[place] + 1 and _is_even(value, decimal)
         powers[:, place] = _powers_of_column(value, digit, decimal, significant, is_even)
+        if are_fixed and cut[place]:
+            powers[:, place] = np.maximum(powers[:, place], -common)
     return powers
 
 

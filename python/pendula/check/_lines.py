@@ -24,6 +24,8 @@ class Kind(NamedTuple):
     is_bare: bool = False
     """Whether a comma without a space stands between numbers, so that it could be a decimal one."""
     has_brackets: bool = False
+    last_bracket: str = ""
+    """The last square one."""
     fields: int = 0
     """Of numbers and words."""
     is_led: bool = False
@@ -230,6 +232,7 @@ def _kind(parts: list[str]) -> Kind:
         separator="".join(sorted(separators)),
         is_bare=any(part.strip("\"'") == "," for part in parts[1:-1]),
         has_brackets=any(letter in part for part in parts for letter in "[](){}"),
+        last_bracket=next((letter for part in parts[::-1] for letter in part[::-1] if letter in "[]"), ""),
         is_led=bool(BEFORE.fullmatch(parts[0])),
         fields=len(re.split(r"[\s,;|&]+", "0".join(parts).strip())),
     )

@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from pendula.check._table import Column, Columns
 
 ROUNDING = 1e-11  # relative: what the roundings of ten thousand steps may be worth
+TINY = 1e-300  # rad, rad/s: what is smaller has few digits or none, for doubles end there
 MOST_WORK = 1 << 22  # steps of a program that is replayed; more are taken by the closed form
 ENERGY = 4e-16  # of 2α: what the rounding of a step adds to the energy; those of many steps add up at random
 LOSSES = 30  # of the energy that Runge-Kutta loses up to a row: in a fall it loses more than near the top
@@ -74,7 +75,7 @@ def _prediction(spread: Motion, unsure: Floats, alpha: float) -> Prediction:
         slacks = [np.abs(each[1] - each[0]) + np.abs(each[2] - each[0]) for each in spread]
         # Roundings of a small motion are small; near the top they are those of an angle of π.
         sizes = [min(largest, float(np.nanmax(np.abs(each[0]), initial=0.0))) for largest, each in _largest(spread, alpha)]
-        floors = [ROUNDING * (size + np.abs(each[0])) for size, each in zip(sizes, spread, strict=True)]
+        floors = [ROUNDING * (size + np.abs(each[0])) + TINY for size, each in zip(sizes, spread, strict=True)]
         late = (np.abs(spread.omega[0]) * unsure, alpha * unsure)
         theta_slack, omega_slack = (
             np.maximum.accumulate(np.nan_to_num(slack, nan=0.0, posinf=1e300) + floor) + open_time

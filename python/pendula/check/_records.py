@@ -106,6 +106,9 @@ LOOKS = 10  # at each line, on the average
 
 
 def _unfold(run: Run) -> None:
+    rows = _closed(run.rows)
+    run.is_folded = len(rows) < len(run.rows)
+    run.rows = rows
     sizes = [line.size for line in run.rows]
     if not sizes or min(sizes) == max(sizes) > 2:
         return
@@ -120,6 +123,21 @@ def _unfold(run: Run) -> None:
             return
     if Counter(sizes).most_common(1)[0][0] not in widths:
         _unfold_periods(run, sizes)
+
+
+def _closed(rows: Sequence[Line]) -> list[Line]:
+    """Joins the lines from a square bracket to the one that closes it."""
+    closed: list[Line] = []
+    place = 0
+    while place < len(rows):
+        lines = 1
+        if rows[place].kind.last_bracket == "[":
+            brackets = [line.kind.last_bracket for line in rows[place + 1 : place + LONGEST_FOLD]]
+            end = next((i for i, bracket in enumerate(brackets, start=1) if bracket), 0)
+            lines += end if end and brackets[end - 1] == "]" else 0
+        closed.append(_joined(rows[place : place + lines]) if lines > 1 else rows[place])
+        place += lines
+    return closed
 
 
 def _ends_by_width(sizes: Sequence[int], width: int) -> list[int]:

@@ -78,10 +78,12 @@ def grid_of(t: Column, places: Floats, dt: float) -> Grid:
         robust = float(np.median(np.diff(t.values) / np.diff(places)))
         level = float(np.median(t.values - places * robust))
         near = np.abs(t.values - level - places * robust) <= np.maximum(2 * t.units, robust / 20)
-        far = np.abs(t.values - level - places * robust) > 1.01 * dt + 2 * t.units  # no end of a step
-        if robust > 0 and np.sum(near) == places.size - one_of(places.size) and far[~near].all():
-            every, first = map(float, np.polyfit(places[near], t.values[near], 1))
-            first = 0.0 if abs(first) <= 2 * unit else first
+        if robust > 0 and np.sum(near) == places.size - one_of(places.size):
+            fitted = np.polyfit(places[near], t.values[near], 1)
+            away = np.abs(t.values - np.polyval(fitted, places))[~near]
+            if np.all(away > 1.01 * dt + 2 * t.units[~near]):  # no end of a step
+                every, first = map(float, fitted)
+                first = 0.0 if abs(first) <= 2 * unit else first
     return Grid(first, every, places, unit)
 
 
@@ -170,7 +172,7 @@ def _timing(problem: Problem, t: Column, grid: Grid, own: float, findings: tuple
     doubt = KNOWN
     last = abs(float(t.values[-1]))
     if last > 0 and _usual(np.abs(t.values - grid.values) / t.units) <= 2 and abs(grid.first) <= grid.unit:
-        seen = grid.unit / last
+        seen = max(grid.unit, float(t.units[-1])) / last
         if seen < KNOWN and abs(grid.every / every - 1) <= PERIOD:  # the times tell the period better than theory
             own, doubt = own * (grid.every / every), max(seen, 1e-14)
             every, dt = (each / problem.tau * own for each in (problem.every, problem.dt))
@@ -195,13 +197,15 @@ def _clock(t: Column, grid: Grid, dt: float, every: float, doubt: float) -> Cloc
     values = np.where(np.isfinite(t.values), t.values, 0)
     places = grid.places + (round(grid.first / every) if every > 0 and abs(grid.first) < MOST_STEPS * every else 0)
     nominal = places * every
-    is_on_grid = np.abs(values - nominal) <= t.units + 1e-9 * np.abs(values) + 0.01 * dt
+    slack = t.units + 1e-9 * np.abs(values)
+    is_at_end = np.abs(values - np.round(values / dt) * dt) <= slack
+    is_on_grid = np.abs(values - nominal) <= slack + (0 if is_at_end.all() else 0.01 * dt)
     unsure = np.zeros_like(values)
     if np.sum(~is_on_grid) <= one_of(values.size):
         whole = np.ceil(every / dt * (1 - 1e-9))
         steps, dt = places * whole, every / whole
     else:
-        off = np.abs(values - nominal) > every / 2
+        off = np.abs(values - nominal) > max(every / 2, 1.01 * dt) + t.units
         values = np.where(off, nominal, values) if np.sum(off) <= one_of(values.size) else values
         steps = np.round(values / dt)
         unsure = np.where(t.units > 0.4 * dt, t.units, 0)
@@ -226,7 +230,8 @@ def _other_spacings(problem: Problem, start: Start, t: Column, grid: Grid) -> It
     per_row = problem.steps_per_row
     for rounded in {math.floor(per_row), round(per_row), math.ceil(per_row)} - {0}:
         every = rounded * factor_dt * tau
-        if abs(per_row - rounded) > PERIOD and _is_spacing(grid, t, every, factor_dt * tau):
+        is_on_time = np.all(np.abs(t.values - grid.places * every) <= t.units + PERIOD * np.abs(t.values))
+        if abs(per_row - round(per_row)) > PERIOD * per_row and is_on_time:
             said = remark("interval_rounded", **spacing)
             yield Timing(_clock(t, grid, factor_dt * tau, every, KNOWN), tau, (said,))
             return

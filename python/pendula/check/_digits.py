@@ -72,6 +72,7 @@ def _chunk(numbers: Sequence[str]) -> Cells:
 
 # Zeros at the end may be left out, in a tenth of all numbers; so a way to print them that most do not show is none.
 MOST = 0.5
+LARGE = 1e4  # whole numbers below are more likely to be exact
 MANY = 20  # rows that show whether zeros are left out
 
 
@@ -79,6 +80,7 @@ def units_of(cells: Cells) -> Floats:
     """Units of the last digits. A column was printed with as many significant digits as its longest number, as %g does, or with
     as many decimals; zeros at the end may have been left out. Where both may be, it is the larger unit.
     """
+    cells = _without_point_zero(cells)
     # NumPy prints an array, so a row, with exponents in all of its numbers or in none; with them it leaves out no digits.
     is_scientific = np.asarray((cells.has_exponent | np.isnan(cells.values)).all(axis=1))
     is_alike = not cells.has_exponent[~is_scientific].any() and not is_scientific.all()
@@ -88,6 +90,13 @@ def units_of(cells: Cells) -> Floats:
     powers[apart] = np.where(cells.digits[apart] > 0, powers[apart], powers.min(axis=0))
     with np.errstate(over="ignore"):
         return np.power(10.0, powers)
+
+
+def _without_point_zero(cells: Cells) -> Cells:
+    """Python shows a whole number with a zero behind the point, which no rounding has left there."""
+    values, digits, decimals, _ = cells
+    is_whole = ((decimals == 1) & (np.abs(values) >= LARGE) & (values == np.rint(values))).all(axis=0)
+    return cells._replace(digits=digits - is_whole, decimals=decimals - is_whole)
 
 
 def _powers(cells: Cells) -> Integers:

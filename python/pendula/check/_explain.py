@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from itertools import islice
+from functools import cache
+from itertools import combinations, islice
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -19,6 +20,7 @@ from pendula.check._predict import (
     Run,
     fits,
     matters,
+    misfits,
     predictions,
     wrap,
 )
@@ -32,7 +34,7 @@ if TYPE_CHECKING:
     from pendula.check._table import Column, Columns
 
 ROUGHLY = 1e-8  # relative: what roundings may grow to in the first rows
-FIRST_ROWS = 4  # that a program must predict before it is replayed to the end
+FIRST_ROWS = (2, 4)  # that a program must predict before it is replayed to the end
 MOST_ALTERNATIVES = 3
 MOST_IN_STATES = 2  # mistakes in what is read, computed and printed of states
 
@@ -99,19 +101,31 @@ class Explanation(NamedTuple):
         return (*self.candidate.mistakes, *self.printing.mistakes)
 
 
-def explanations(problem: Problem, columns: Columns, places: Floats, changes: int) -> list[Explanation]:
-    """The programs with so many mistakes, up to two of them in states and printing, that print the table's states."""
-    right = Reading(taken(RIGHT, problem))
-    known = [
-        (reading, _timings(problem, reading, right, columns.t, places))
-        for reading in (right, *readings(problem, (*STARTS, *ALPHAS)))
-    ]
-    found: list[Explanation] = []
-    for batch in _batches(_candidates(known, columns, changes)):
-        found += _tried(batch, columns, changes)
-        if len(found) > MOST_ALTERNATIVES:
-            break
-    return found
+class Search:
+    """For the programs that print a table's states."""
+
+    def __init__(self, problem: Problem, columns: Columns, places: Floats) -> None:
+        self._columns = columns
+        self._found: dict[int, list[Explanation]] = {}
+        right = Reading(taken(RIGHT, problem))
+        self._known = [
+            (reading, _timings(problem, reading, right, columns.t, places))
+            for reading in (right, *readings(problem, (*STARTS, *ALPHAS)))
+        ]
+
+    def explanations(self, changes: int) -> list[Explanation]:
+        """The programs with so many mistakes, up to two of them in states and printing, that print the table's states."""
+        if changes not in self._found:
+            self._found[changes] = self._explanations(changes)
+        return self._found[changes]
+
+    def _explanations(self, changes: int) -> list[Explanation]:
+        found: list[Explanation] = []
+        for batch in _batches(_candidates(self._known, self._columns, changes)):
+            found += _tried(batch, self._columns, changes)
+            if len(found) > MOST_ALTERNATIVES:
+                break
+        return found
 
 
 def _is_idle(mistake: Mistake, problem: Problem) -> bool:
@@ -119,28 +133,6 @@ def _is_idle(mistake: Mistake, problem: Problem) -> bool:
     units = {"theta0": problem.theta0_unit, "omega0": problem.omega0_unit}
     factors = [mistake.changes[name][unit == "s"] for name, unit in units.items() if name in mistake.changes]
     return mistake.name.startswith("both_") and 1.0 in factors
-
-
-def _candidates(known: Sequence[tuple[Reading, list[Timing]]], columns: Columns, changes: int) -> Iterator[Candidate]:
-    """Programs with up to so many mistakes, at most two of them not in the times, whose first row may be that of the table."""
-    for reading, of_reading in known:
-        for timing in of_reading:
-            left = min(changes - timing.changes, MOST_IN_STATES) - len(reading.mistakes)
-            if left < 0:
-                continue
-            is_there = _starts_there(reading.start, timing, columns, left)
-            for each in _programs(reading, timing, left):
-                if is_there or each.program.steps_late or each.program.rows_late:
-                    yield each
-
-
-def _starts_there(start: Start, timing: Timing, columns: Columns, left: int) -> bool:
-    """Whether the first row, where it is that of the start, is as the start is printed."""
-    if timing.clock.steps[0] != 0:
-        return True
-    theta, omega = np.array([[start.theta0], [start.omega0]])
-    first = Prediction(wrap(theta), omega, ROUNDING * (1 + np.abs(theta)), ROUNDING * (1 + np.abs(omega)), theta)
-    return any(fits(first, printing, columns) for printing in (AS_ASKED, *(WRONGLY if left > 0 else ())))
 
 
 def _timings(problem: Problem, reading: Reading, right: Reading, t: Column, places: Floats) -> list[Timing]:
@@ -158,21 +150,41 @@ def _timings(problem: Problem, reading: Reading, right: Reading, t: Column, plac
     return found
 
 
-def _programs(reading: Reading, timing: Timing, most: int) -> Iterator[Candidate]:
-    """Programs with up to so many mistakes in equation, stepper and rows; those that are left may be in the printing."""
-    base = RIGHT
+def _candidates(known: Sequence[tuple[Reading, list[Timing]]], columns: Columns, changes: int) -> Iterator[Candidate]:
+    """Programs with so many mistakes, or one less where that is in the printing, whose first row may be that of the table."""
+    for reading, of_reading in known:
+        for timing in of_reading:
+            left = changes - timing.changes - len(reading.mistakes)
+            is_there = _starts_there(reading.start, timing, columns, left)
+            for count, printing in ((left - 1, 1), (left, 0)):
+                if not 0 <= count <= MOST_IN_STATES - printing - len(reading.mistakes):
+                    continue
+                for program, mistakes in _programs(count):
+                    if (is_there or program.steps_late or program.rows_late) and not (program.pull and reading.mistakes):
+                        yield Candidate(program, reading, timing, (*reading.mistakes, *mistakes))
+
+
+def _starts_there(start: Start, timing: Timing, columns: Columns, left: int) -> bool:
+    """Whether the first row, where it is that of the start, is as the start is printed."""
+    if timing.clock.steps[0] != 0:
+        return True
+    theta, omega = np.array([[start.theta0], [start.omega0]])
+    first = Prediction(wrap(theta), omega, ROUNDING * (1 + np.abs(theta)), ROUNDING * (1 + np.abs(omega)), theta)
+    return any(fits(first, printing, columns) for printing in (AS_ASKED, *(WRONGLY if left > 0 else ())))
+
+
+@cache
+def _programs(count: int) -> list[tuple[Program, tuple[Mistake, ...]]]:
+    """Programs with so many mistakes in equation, stepper and rows, all from different groups."""
     single = (*EQUATIONS, *STEPPERS, *ROWS)
-    yield Candidate(base, reading, timing, reading.mistakes)
-    if most >= 1:
-        for mistake in single:
-            if "pull" in mistake.changes and reading.mistakes:
-                continue  # it stands for the α that was read
-            yield Candidate(mistake.of(base), reading, timing, (*reading.mistakes, mistake))
-    if most >= 2:
-        for i, one in enumerate(single):
-            for other in single[i + 1 :]:
-                if one.group != other.group and not ("pull" in one.changes and reading.mistakes):
-                    yield Candidate(other.of(one.of(base)), reading, timing, (*reading.mistakes, one, other))
+    made = []
+    for mistakes in combinations(single, count):
+        if len({mistake.group for mistake in mistakes}) == count:
+            program = RIGHT
+            for mistake in mistakes:
+                program = mistake.of(program)
+            made.append((program, mistakes))
+    return made
 
 
 def _batches(candidates: Iterator[Candidate]) -> Iterator[list[Candidate]]:
@@ -181,13 +193,10 @@ def _batches(candidates: Iterator[Candidate]) -> Iterator[list[Candidate]]:
 
 
 def _tried(candidates: list[Candidate], columns: Columns, changes: int) -> list[Explanation]:
-    """The candidates that print all rows, with as many mistakes in the printing as are left of `changes`."""
-    light = [each for each in candidates if each.timing.clock.steps.max(initial=0) <= MOST_WORK]
-    likely = [
-        each
-        for each, prediction in zip(light, _roughly(light), strict=True)
-        if any(fits(prediction, printing, columns) for printing in _printings(changes - each.changes))
-    ]
+    """The candidates that print all rows, where mistakes are left of `changes` with one in the printing."""
+    likely = [each for each in candidates if each.timing.clock.steps.max(initial=0) <= MOST_WORK]
+    for rows in FIRST_ROWS:
+        likely = _likely(likely, columns, changes, rows)
     found = []
     for each, prediction in zip(likely, predictions([each.run for each in likely]), strict=True):
         for printing in _printings(changes - each.changes):
@@ -197,27 +206,40 @@ def _tried(candidates: list[Candidate], columns: Columns, changes: int) -> list[
     return found
 
 
-def _roughly(candidates: Sequence[Candidate]) -> list[Prediction]:
-    """The first rows that the candidates print, within more than what is legitimately unknown."""
+def _likely(candidates: Sequence[Candidate], columns: Columns, changes: int, rows: int) -> list[Candidate]:
+    """The candidates that print the first rows, within more than what is legitimately unknown."""
     if not candidates:
         return []
+    first = _first_rows(candidates, rows)
+    left = np.array([changes - each.changes for each in candidates])
+    is_likely = np.zeros(left.size, bool)
+    for count in np.unique(left):
+        for printing in _printings(int(count)):
+            wrong = misfits(first, printing, columns.theta, columns.omega)
+            is_likely |= (left == count) & ~np.any(wrong, axis=(0, 2))
+    return [candidates[i] for i in np.flatnonzero(is_likely)]
+
+
+def _first_rows(candidates: Sequence[Candidate], rows: int) -> Prediction:
+    """[candidate, row]: what they print."""
     clocks = [each.run.clock for each in candidates]
-    clocks = [clock._replace(steps=clock.steps[:FIRST_ROWS]) for clock in clocks]
+    clocks = [clock._replace(steps=clock.steps[:rows]) for clock in clocks]
     motion = replay([each.program for each in candidates], clocks, [each.reading.start for each in candidates])
-    rough = []
-    for each, clock, theta, omega in zip(candidates, clocks, *motion, strict=True):
-        alpha = each.reading.start.alpha
-        unsure = each.timing.clock.unsure[:FIRST_ROWS] + 2 * each.timing.clock.doubt * clock.t
-        with np.errstate(invalid="ignore", over="ignore"):
-            late = (np.abs(omega) * unsure, np.abs(each.program.sign * alpha) * unsure)
-            floors = [ROUGHLY * (1 + np.abs(motion)) for motion in (theta, omega)]
-            slacks = [np.nan_to_num(a + b, nan=0.0, posinf=1e300) for a, b in zip(late, floors, strict=True)]
-        rough.append(Prediction(wrap(theta), omega, slacks[0], slacks[1], theta))
-    return rough
+    alpha = np.array([[each.program.sign * each.reading.start.alpha] for each in candidates])
+    unsure = np.stack([
+        each.timing.clock.unsure[:rows] + 2 * each.timing.clock.doubt * clock.t
+        for each, clock in zip(candidates, clocks, strict=True)
+    ])
+    with np.errstate(invalid="ignore", over="ignore"):
+        late = (np.abs(motion.omega) * unsure, np.abs(alpha) * unsure)
+        floors = [ROUGHLY * (1 + np.abs(each)) for each in motion]
+        slacks = [np.nan_to_num(a + b, nan=0.0, posinf=1e300) for a, b in zip(late, floors, strict=True)]
+    return Prediction(wrap(motion.theta), motion.omega, slacks[0], slacks[1], motion.theta)
 
 
 def _printings(left: int) -> tuple[Printing, ...]:
-    return (AS_ASKED,) if left == 0 else WRONGLY if left == 1 else ()
+    """How states may be printed with so many mistakes."""
+    return WRONGLY if left == 1 else (AS_ASKED,)
 
 
 def in_single_precision(problem: Problem, timing: Timing, columns: Columns) -> bool:

@@ -22,6 +22,8 @@ if TYPE_CHECKING:
 LEAST = 1e-4  # relative to the pendulum's own: a smaller term is no mistake that a person makes
 LARGEST_STRETCH = 1e-3  # relative: the times show a period that is farther off
 ROUNDS = 12  # of Gauss and Newton's method
+SURE = 3  # after so many, they at least halve what is left where the term is the mistake
+STALLED = 1e3  # units of the digits printed, below which roundings may be all that is left
 MOST_STEPS = 1 << 20
 BESIDE = ("euler_cromer", "euler", "verlet", "heun", "midpoint")  # methods with which such a term is left in
 FREQUENCIES = np.arange(0.05, 3.0, 0.05)  # of a drive, tried first, in those of small swings
@@ -113,10 +115,12 @@ def _in_own_time(problem: Problem, found: Explanation, columns: Columns, places:
 def _fit(problem: Problem, timing: Timing, columns: Columns, term: Term, stepper: Mistake | None) -> Explanation | None:
     base = stepper.of(RIGHT) if stepper else RIGHT
     numbers = np.array(_nearest(problem, timing, columns, term, base))
-    for _ in range(ROUNDS):
+    size, least = np.inf, STALLED * float(np.linalg.norm(np.append(columns.theta.units, columns.omega.units)))
+    for turn in range(ROUNDS):
         tried = [numbers, *(numbers + step for step in np.diag(1e-6 * np.maximum(np.abs(numbers), 1e-3)))]
         residuals = _residuals(problem, [timing.clock], columns, [term.made(each).of(base) for each in tried])
-        if not np.isfinite(residuals).all():
+        before, size = size, float(np.linalg.norm(residuals[0]))
+        if not np.isfinite(residuals).all() or (turn >= SURE and size > max(0.5 * before, least)):
             return None
         steps = [np.linalg.norm(each - numbers) for each in tried[1:]]
         slopes = np.stack([(each - residuals[0]) / step for each, step in zip(residuals[1:], steps, strict=True)], axis=1)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from pendula import _core
-from pendula.check._explain import Explanation, explanations, in_single_precision
+from pendula.check._explain import Explanation, Search, in_single_precision
 from pendula.check._finding import ERROR, REMARK, Finding, Value, Where, error, remark
 from pendula.check._fit import fitted
 from pendula.check._predict import (
@@ -123,9 +123,9 @@ def _judged(problem: Problem, table: Table) -> Judgement:
 
 def _best(problem: Problem, views: Sequence[tuple[str, View]]) -> tuple[str, View, list[Finding]]:
     """The columns that there is least to say of: those with right states, else those whose states one mistake explains."""
-    right = [each for each in views if _is_right(each[1])]
-    view = (right[0] if right else _likeliest(problem, views))[1]
-    explained = None if right else _explained(problem, view)
+    right = [each for each in views if _is_right(each[1]) and each[1].judged > 0]
+    view, search = (right[0][1], None) if right else _likeliest(problem, views)
+    explained = _explained(problem, view, search) if search else None
     # Where nothing tells which column is the sinusoid, it is the one that fits.
     same = [each for each in right or views if _has_same_states(each[1], view)]
     best, least = None, np.inf
@@ -145,15 +145,16 @@ def _has_same_states(one: View, other: View) -> bool:
     return all(np.array_equal(a.values, b.values) for a, b in pairs)
 
 
-def _likeliest(problem: Problem, views: Sequence[tuple[str, View]]) -> tuple[str, View]:
+def _likeliest(problem: Problem, views: Sequence[tuple[str, View]]) -> tuple[View, Search]:
     """Of columns with wrong states, those with few wrong cells; else those that one mistake explains; else the first."""
-    tried: list[View] = []
-    for each in views:
-        if len(tried) < MOST_WRONG and not any(_has_same_states(each[1], view) for view in tried):
-            tried.append(each[1])
-            if _are_cells(each[1]) or explanations(problem, each[1].columns, each[1].places, 1):
-                return each
-    return views[0]
+    tried: list[tuple[View, Search]] = []
+    for _, each in views:
+        if len(tried) < MOST_WRONG and not any(_has_same_states(each, view) for view, _ in tried):
+            search = Search(problem, each.columns, each.places)
+            tried.append((each, search))
+            if _are_cells(each) or search.explanations(1):
+                return each, search
+    return tried[0]
 
 
 def _are_cells(view: View) -> bool:
@@ -303,19 +304,19 @@ def _is_nearly_in_time(problem: Problem, view: View) -> bool:
     return bool(np.all(np.abs(t - view.places * problem.every) <= 1e-3 * np.abs(t)))
 
 
-def _explained(problem: Problem, view: View) -> list[Explanation] | Finding:
+def _explained(problem: Problem, view: View, search: Search) -> list[Explanation] | Finding:
     """The programs that print the states, or what else there is to say of them."""
     columns, where = view.columns, _first_wrong(view)
     rows = columns.t.values.size
     still = np.all(np.abs(wrap(columns.theta.values - columns.theta.values[0])) <= columns.theta.units)
     if rows > 1 and still and np.all(np.abs(columns.omega.values - columns.omega.values[0]) <= columns.omega.units):
         return Finding("nothing_moves", {}, where=where, alternatives=(error("integer_division"),))
-    found = explanations(problem, columns, view.places, 1)
+    found = search.explanations(1)
     if found:
         return found
     if _are_cells(view):
         return Finding("wrong_cell", {"count": sum(int(each.sum()) for each in view.wrong)}, where=where)
-    found = fitted(problem, view.timing, columns, view.places) or explanations(problem, columns, view.places, 2)
+    found = fitted(problem, view.timing, columns, view.places) or search.explanations(2)
     if found:
         return found
     if any(
@@ -323,7 +324,7 @@ def _explained(problem: Problem, view: View) -> list[Explanation] | Finding:
         for timing in timings(problem, taken(RIGHT, problem), columns.t, view.places)
     ):
         return Finding("single_precision", {}, where=where, alternatives=(error("single_constants"),))
-    found = explanations(problem, columns, view.places, 3)
+    found = search.explanations(3)
     if found:
         return found
     if _on_a_circle(columns):

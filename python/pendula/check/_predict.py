@@ -207,7 +207,7 @@ WRONGLY = (*(_printing((mistake,)) for mistake in PRINTINGS), _printing(PRINTING
 
 def misfits(prediction: Prediction, printing: Printing, theta: Column, omega: Column) -> tuple[npt.NDArray[np.bool_], ...]:
     """Rows in which the angle, but for whole turns, and the velocity are not those predicted."""
-    n = prediction.theta.size
+    n = prediction.theta.shape[-1]
     angle, velocity = theta.scaled(1 / printing.theta_factor), omega.scaled(1 / printing.omega_factor)
     wanted_theta = np.abs(prediction.theta) if printing.form == "absolute" else prediction.theta
     wanted_omega = wrap(prediction.omega) if printing.form == "normalised" else prediction.omega

@@ -64,7 +64,8 @@ class Start(NamedTuple):
 # Steppers.
 
 
-class Stepper(NamedTuple):
+@dataclass(frozen=True, eq=False)
+class Stepper:
     """An explicit method with stages: the angle, the velocity and the acceleration of each are
 
         x = theta[s] θ + Σ_j h^power[s] (angle[s, j] v_j + own_angle[s, j] a_j)
@@ -86,6 +87,7 @@ class Stepper(NamedTuple):
     power: Floats
     sum_power: float
 
+    @lru_cache(maxsize=4096)  # noqa: B019
     def numbers(self, h: float) -> tuple[Floats, Floats]:
         """The coefficients as `replay` takes them: [stage, 3 + 4 stages] and [angle or velocity, 2 stages]."""
         with np.errstate(over="ignore", invalid="ignore"):

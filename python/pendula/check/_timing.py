@@ -67,7 +67,8 @@ class Grid(NamedTuple):
 
 def grid_of(t: Column, places: Floats, dt: float) -> Grid:
     """The evenly spaced times nearest to those printed; a few wrong ones among them do not matter."""
-    unit = _usual(t.units)
+    usual = _usual(t.units)
+    unit = max(usual, min(float(t.units[-1]), 10 * usual))
     if places.size < 2 or not places[-1] > places[0]:
         return Grid(float(t.values[0]), 0.0, places, unit)
     every = float((t.values[-1] - t.values[0]) / (places[-1] - places[0]))
@@ -172,7 +173,7 @@ def _timing(problem: Problem, t: Column, grid: Grid, own: float, findings: tuple
     doubt = KNOWN
     last = abs(float(t.values[-1]))
     if last > 0 and _usual(np.abs(t.values - grid.values) / t.units) <= 2 and abs(grid.first) <= grid.unit:
-        seen = max(grid.unit, float(t.units[-1])) / last
+        seen = grid.unit / last
         if seen < KNOWN and abs(grid.every / every - 1) <= PERIOD:  # the times tell the period better than theory
             own, doubt = own * (grid.every / every), max(seen, 1e-14)
             every, dt = (each / problem.tau * own for each in (problem.every, problem.dt))

@@ -94,7 +94,7 @@ def fits(
 def _slack(start: Start, t: Floats, tau_doubt: float) -> Floats:
     """How far off a right sinusoid may be: θM, an arccosine (3.2), has a relative error δ.
 
-    δ comes from the last bit of the cosine. Where θ0 is θM, it changes the phase, the arcsine of their ratio, by √(2δ).
+    δ comes from the last bit of the cosine. It changes the phase, the arcsine of θ0/θM, by up to √(2δ) where θ0 is θM.
     """
     _, theta_max, tau = analysis(start)
     theta_max = abs(theta_max)
@@ -103,8 +103,10 @@ def _slack(start: Start, t: Floats, tau_doubt: float) -> Floats:
     delta = 4 * EPSILON / (theta_max * max(math.sin(theta_max), EPSILON))
     # An angle of many turns loses digits where it is wrapped.
     delta = min(1.0, delta + 4 * EPSILON * abs(start.theta0) / theta_max)
+    ratio = float(_core.wrap(start.theta0)) / theta_max
+    phase = min(math.sqrt(2 * delta), delta / math.sqrt(max(1 - ratio**2, EPSILON)))
     rough = tau_doubt if tau_doubt > UNKNOWN else ROUNDING  # constants that are off are so in the phase, too
-    slack: Floats = theta_max * (rough + tau_doubt * 2 * np.pi * np.abs(t) / tau + delta + np.sqrt(2 * delta))
+    slack: Floats = theta_max * (rough + tau_doubt * 2 * np.pi * np.abs(t) / tau + delta + phase)
     return slack
 
 

@@ -199,7 +199,7 @@ def _clock(t: Column, grid: Grid, dt: float, every: float, doubt: float) -> Cloc
     places = grid.places + (round(grid.first / every) if every > 0 and abs(grid.first) < MOST_STEPS * every else 0)
     nominal = places * every
     slack = t.units + 1e-9 * np.abs(values)
-    is_at_end = np.abs(values - np.round(values / dt) * dt) <= slack
+    is_at_end = np.abs(values - np.round(values / dt) * dt) <= slack + PERIOD * np.abs(values)
     is_on_grid = np.abs(values - nominal) <= slack + (0 if is_at_end.all() else 0.01 * dt)
     unsure = np.zeros_like(values)
     if np.sum(~is_on_grid) <= one_of(values.size):

@@ -95,7 +95,7 @@ def units_of(cells: Cells) -> Floats:
 def _without_point_zero(cells: Cells) -> Cells:
     """Python shows a whole number with a zero behind the point, which no rounding has left there."""
     values, digits, decimals, _ = cells
-    is_whole = ((decimals == 1) & (np.abs(values) >= LARGE) & (values == np.rint(values))).all(axis=0)
+    is_whole = (decimals == 1) & (np.abs(values) >= LARGE) & (values == np.rint(values))
     return cells._replace(digits=digits - is_whole, decimals=decimals - is_whole)
 
 

@@ -226,10 +226,12 @@ def _first_rows(candidates: Sequence[Candidate], rows: int) -> Prediction:
     clocks = [clock._replace(steps=clock.steps[:rows]) for clock in clocks]
     motion = replay([each.program for each in candidates], clocks, [each.reading.start for each in candidates])
     alpha = np.array([[each.program.sign * each.reading.start.alpha] for each in candidates])
-    unsure = np.stack([
-        each.timing.clock.unsure[:rows] + 2 * each.timing.clock.doubt * clock.t
-        for each, clock in zip(candidates, clocks, strict=True)
-    ])
+    unsure = np.stack(
+        [
+            each.timing.clock.unsure[:rows] + 2 * each.timing.clock.doubt * clock.t
+            for each, clock in zip(candidates, clocks, strict=True)
+        ]
+    )
     with np.errstate(invalid="ignore", over="ignore"):
         late = (np.abs(motion.omega) * unsure, np.abs(alpha) * unsure)
         floors = [ROUGHLY * (1 + np.abs(each)) for each in motion]

@@ -215,9 +215,15 @@ def misfits(prediction: Prediction, printing: Printing, theta: Column, omega: Co
         theta_off = np.abs(wrap(angle.values[:n] - wanted_theta))
         omega_off = np.abs(velocity.values[:n] - wanted_omega)
         return (
-            ~(theta_off <= np.abs(angle.units[:n]) + prediction.theta_slack),
+            ~(theta_off <= np.abs(angle.units[:n]) + prediction.theta_slack) | without_digits(theta.units)[:n],
             ~(omega_off <= np.abs(velocity.units[:n]) + prediction.omega_slack),
         )
+
+
+def without_digits(units: Floats) -> npt.NDArray[np.bool_]:
+    """Rows with an angle that is known to whole turns alone. Few such are wrong cells; many are angles that only grow."""
+    rows = np.abs(units) > np.pi
+    return rows if are_cells(int(rows.sum()), rows.size) else np.zeros_like(rows)
 
 
 def matters(printing: Printing, prediction: Prediction) -> bool:

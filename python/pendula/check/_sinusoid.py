@@ -10,7 +10,8 @@ import numpy as np
 from pendula import _core
 from pendula.check._finding import Finding, Where, error
 from pendula.check._periods import small_period
-from pendula.check._predict import ROUNDING, are_cells
+from pendula.check._predict import ROUNDING, are_cells, without_digits
+from pendula.check._mistakes import SINGLE_PI
 from pendula.check._program import DEGREE, RIGHT, Problem, Start, analysis, closed_form, taken
 from pendula.check._table import WORDS, Column, Columns
 
@@ -75,6 +76,8 @@ def wrong_sinusoids(start: Start, tau: float, dt: float) -> Iterator[tuple[str, 
     yield "sine_by_acos", right._replace(phase=math.acos(ratio))
     yield "sine_by_acos", right._replace(phase=-math.acos(ratio))
     yield "sine_by_acos", right._replace(phase=math.pi - math.acos(ratio))
+    if start.omega0 < 0:  # π is in the phase, too
+        yield "single_constants", right._replace(phase=right.phase + math.pi * (SINGLE_PI - 1), rate=right.rate * SINGLE_PI)
     yield "sine_negated", right._replace(phase=-right.phase)
     yield "sine_negated", right._replace(amplitude=-right.amplitude)
     yield "sine_step_late", right._replace(phase=right.phase + right.rate * dt)
@@ -87,7 +90,9 @@ def fits(
     """Rows in which the fourth column is that."""
     at, before, after = (wanted(times) for times in t.nearby())
     off: Floats = np.abs(_core.wrap(sine.values - at))
-    fit: npt.NDArray[np.bool_] = off <= sine.units + np.abs(_core.wrap(after - before)) + _slack(start, t.values, tau_doubt)
+    fit: npt.NDArray[np.bool_] = ~without_digits(sine.units) & (
+        off <= sine.units + np.abs(_core.wrap(after - before)) + _slack(start, t.values, tau_doubt)
+    )
     return fit
 
 

@@ -12,6 +12,7 @@ import numpy as np
 from pendula.check._mistakes import ALPHAS, EQUATIONS, ROWS, SINGLE, STARTS, STEPPERS, Mistake
 from pendula.check._predict import (
     AS_ASKED,
+    DECIDES,
     MOST_WORK,
     ROUNDING,
     WRONGLY,
@@ -23,6 +24,7 @@ from pendula.check._predict import (
     misfits,
     predictions,
     wrap,
+    wrong_locally,
 )
 from pendula.check._program import RIGHT, Problem, Program, Start, closed_form, paced, replay, taken
 from pendula.check._timing import Timing, timings
@@ -36,6 +38,7 @@ if TYPE_CHECKING:
 ROUGHLY = 1e-8  # relative: what roundings may grow to in the first rows
 FIRST_ROWS = (2, 4)  # that a program must predict before it is replayed to the end
 MOST_ALTERNATIVES = 3
+SINGLE_IN_A_ROW = 1e-3  # rad, and of ω/√α: more than single precision loses between two rows
 MOST_IN_STATES = 2  # mistakes in what is read, computed and printed of states
 
 
@@ -260,4 +263,14 @@ def in_single_precision(problem: Problem, timing: Timing, columns: Columns) -> b
     # A time that is added up in single precision is wrong by its own roundings.
     late = np.maximum.accumulate(clock.steps * single * clock.dt * np.sqrt(clock.steps + 1.0))
     slacks = [slacks[0] + np.abs(omega) * late, slacks[1] + start.alpha * late]
-    return fits(Prediction(wrap(theta), omega, slacks[0], slacks[1], theta), AS_ASKED, columns)
+    wrong = misfits(Prediction(wrap(theta), omega, slacks[0], slacks[1], theta), AS_ASKED, columns.theta, columns.omega)
+    # Where its roundings decide, each row must follow from the one before.
+    is_open = ~(slacks[0] <= DECIDES)
+    near = wrong_locally(start, clock, _widened(columns, SINGLE_IN_A_ROW, SINGLE_IN_A_ROW * math.sqrt(start.alpha)))
+    return not any((np.where(is_open, local, far)).any() for far, local in zip(wrong, near, strict=True))
+
+
+def _widened(columns: Columns, theta: float, omega: float) -> Columns:
+    """The columns with units that are at least so large."""
+    units = np.maximum(columns.theta.units, theta), np.maximum(columns.omega.units, omega)
+    return columns._replace(theta=columns.theta._replace(units=units[0]), omega=columns.omega._replace(units=units[1]))

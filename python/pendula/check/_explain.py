@@ -9,10 +9,9 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from pendula.check._mistakes import ALPHAS, EQUATIONS, ROWS, SINGLE, STARTS, STEPPERS, Mistake
+from pendula.check._mistakes import ALPHAS, EQUATIONS, ROWS, STARTS, STEPPERS, Mistake
 from pendula.check._predict import (
     AS_ASKED,
-    DECIDES,
     MOST_WORK,
     ROUNDING,
     WRONGLY,
@@ -24,9 +23,8 @@ from pendula.check._predict import (
     misfits,
     predictions,
     wrap,
-    wrong_locally,
 )
-from pendula.check._program import RIGHT, Problem, Program, Start, closed_form, paced, replay, taken
+from pendula.check._program import RIGHT, Problem, Program, Start, paced, replay, taken
 from pendula.check._timing import Timing, timings
 
 if TYPE_CHECKING:
@@ -38,7 +36,6 @@ if TYPE_CHECKING:
 ROUGHLY = 1e-8  # relative: what roundings may grow to in the first rows
 FIRST_ROWS = (2, 4)  # that a program must predict before it is replayed to the end
 MOST_ALTERNATIVES = 3
-SINGLE_IN_A_ROW = 1e-3  # rad, and of ω/√α: more than single precision loses between two rows
 MOST_IN_STATES = 2  # mistakes in what is read, computed and printed of states
 
 
@@ -220,7 +217,7 @@ def _likely(candidates: Sequence[Candidate], columns: Columns, changes: int, row
         for printing in _printings(int(count)):
             wrong = misfits(first, printing, columns.theta, columns.omega)
             is_likely |= (left == count) & ~np.any(wrong, axis=(0, 2))
-    return [candidates[i] for i in np.flatnonzero(is_likely)]
+    return [each for each, is_one in zip(candidates, is_likely, strict=True) if is_one]
 
 
 def _first_rows(candidates: Sequence[Candidate], rows: int) -> Prediction:
@@ -245,32 +242,3 @@ def _first_rows(candidates: Sequence[Candidate], rows: int) -> Prediction:
 def _printings(left: int) -> tuple[Printing, ...]:
     """How states may be printed with so many mistakes."""
     return WRONGLY if left == 1 else (AS_ASKED,)
-
-
-def in_single_precision(problem: Problem, timing: Timing, columns: Columns) -> bool:
-    """Whether the states are as inaccurate as those of a run in single precision: within three times its errors."""
-    clock = timing.clock
-    if not 0 < clock.steps.max() <= MOST_WORK:
-        return False
-    start = taken(RIGHT, problem)
-    rounded = replay([SINGLE.of(RIGHT)], [clock], [start])
-    theta, omega = closed_form(start, clock.t)
-    single = float(np.finfo(np.float32).eps)
-    slacks = [
-        3 * np.maximum.accumulate(np.abs(each)) + 4 * single
-        for each in (wrap(rounded.theta[0] - theta), rounded.omega[0] - omega)
-    ]
-    # A time that is added up in single precision is wrong by its own roundings.
-    late = np.maximum.accumulate(clock.steps * single * clock.dt * np.sqrt(clock.steps + 1.0))
-    slacks = [slacks[0] + np.abs(omega) * late, slacks[1] + start.alpha * late]
-    wrong = misfits(Prediction(wrap(theta), omega, slacks[0], slacks[1], theta), AS_ASKED, columns.theta, columns.omega)
-    # Where its roundings decide, each row must follow from the one before.
-    is_open = ~(slacks[0] <= DECIDES)
-    near = wrong_locally(start, clock, _widened(columns, SINGLE_IN_A_ROW, SINGLE_IN_A_ROW * math.sqrt(start.alpha)))
-    return not any((np.where(is_open, local, far)).any() for far, local in zip(wrong, near, strict=True))
-
-
-def _widened(columns: Columns, theta: float, omega: float) -> Columns:
-    """The columns with units that are at least so large."""
-    units = np.maximum(columns.theta.units, theta), np.maximum(columns.omega.units, omega)
-    return columns._replace(theta=columns.theta._replace(units=units[0]), omega=columns.omega._replace(units=units[1]))

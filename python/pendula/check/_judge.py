@@ -6,53 +6,27 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from pendula import _core
-from pendula.check._explain import Explanation, Search, in_single_precision
-from pendula.check._finding import ERROR, REMARK, Finding, Value, Where, error, remark
-from pendula.check._fit import fitted
+from pendula.check._explain import Explanation, Search
+from pendula.check._finding import ERROR, REMARK, Finding, Value, error, remark
 from pendula.check._predict import (
     AS_ASKED,
-    DECIDES,
-    Prediction,
-    are_cells,
-    by_closed_form,
-    misfits,
-    not_judged_from,
-    right_prediction,
-    wrap,
-    wrong_locally,
 )
 from pendula.check._program import RIGHT, Problem, Start, analysis, taken
-from pendula.check._sinusoid import UNKNOWN, fits, of_sinusoid, right_sinusoid
-from pendula.check._table import ROLES, WORDS, Column, Columns, columns_at, placements, roles_of
-from pendula.check._timing import Timing, timings
+from pendula.check._sinusoid import UNKNOWN, of_sinusoid
+from pendula.check._states import explained, told
+from pendula.check._table import WORDS, Column, Columns, columns_at, placements, roles_of
+from pendula.check._view import Deviation, View, deviations, first_wrong, has_same_states, view_of
 from pendula.check._wrapping import of_wrapping
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    import numpy.typing as npt
-
-    from pendula.check._program import Floats
     from pendula.check._table import Table
 
 FEW_DIGITS = 5
 ROUGH = 2e-3  # relative: what 3.14 for π does to a sinusoid
 MOST_PLACEMENTS = 12
 MOST_WRONG = 4  # placements that a wrong table's columns are tried in
-
-
-class Deviation(NamedTuple):
-    """How far a column is from what it should be."""
-
-    right: int
-    """Rows that are as they should be."""
-    first_wrong: int | None
-    """The first row that is not."""
-    wanted: Floats
-    """What should be there."""
-    from_exact: float
-    """The largest distance from the closed form [rad, rad/s]."""
 
 
 class Judgement(NamedTuple):
@@ -69,20 +43,6 @@ class Judgement(NamedTuple):
     def is_right(self) -> bool:
         """Whether there are no mistakes; remarks are none."""
         return all(finding.severity != ERROR for finding in self.findings)
-
-
-class View(NamedTuple):
-    """A table's columns, compared with what is right at its times."""
-
-    columns: Columns
-    places: Floats
-    """The numbers of the rows."""
-    timing: Timing
-    wanted: Prediction
-    wrong: tuple[npt.NDArray[np.bool_], ...]
-    """Rows in which angle, velocity and time are not right."""
-    judged: int
-    """Rows before the first that cannot be judged."""
 
 
 def judge(problem: Problem, table: Table) -> Judgement:
@@ -106,7 +66,7 @@ def _judged(problem: Problem, table: Table) -> Judgement:
     if is_twice:
         table = _without_first(table)
         found = [(name, _without_first_row(columns)) for name, columns in found if columns.lines.size > 2]
-    views = [(name, _view(problem, table, columns)) for name, columns in found]
+    views = [(name, view_of(problem, table, columns)) for name, columns in found]
     name, view, of_states = _best(problem, views)
     if name:
         findings.append(error(name, header=" ".join(table.header)))
@@ -114,7 +74,7 @@ def _judged(problem: Problem, table: Table) -> Judgement:
         findings.append(error("first_row_twice"))
     findings += _of_rows(table, view.columns)
     findings += of_states
-    off = _deviations(problem, view)
+    off = deviations(problem, view)
     if any(finding.name == "cartesian" for finding in findings):
         findings = [finding for finding in findings if finding.name not in ("sine_missing", "sine_unexplained")]
     findings = list({finding.name: finding for finding in reversed(findings)}.values())[::-1]
@@ -123,14 +83,14 @@ def _judged(problem: Problem, table: Table) -> Judgement:
 
 def _best(problem: Problem, views: Sequence[tuple[str, View]]) -> tuple[str, View, list[Finding]]:
     """The columns that there is least to say of: those with right states, else those whose states one mistake explains."""
-    right = [each for each in views if _is_right(each[1]) and each[1].judged > 0]
+    right = [each for each in views if each[1].is_right and each[1].judged > 0]
     view, search = (right[0][1], None) if right else _likeliest(problem, views)
-    explained = _explained(problem, view, search) if search else None
+    found = explained(problem, view, search) if search else None
     # Where nothing tells which column is the sinusoid, it is the one that fits.
-    same = [each for each in right or views if _has_same_states(each[1], view)]
+    same = [each for each in right or views if has_same_states(each[1], view)]
     best, least = None, np.inf
     for each_name, each in same:
-        findings = _of_states(problem, each, explained)
+        findings = _of_states(problem, each, found)
         weight = sum(3 if finding.name == "sine_unexplained" else 1 for finding in findings if finding.severity == ERROR)
         if weight + 0.5 * bool(each_name) < least:
             best, least = (each_name, each, findings), weight + 0.5 * bool(each_name)
@@ -140,26 +100,16 @@ def _best(problem: Problem, views: Sequence[tuple[str, View]]) -> tuple[str, Vie
     return best
 
 
-def _has_same_states(one: View, other: View) -> bool:
-    pairs = zip(one.columns[:3], other.columns[:3], strict=True)
-    return all(np.array_equal(a.values, b.values) for a, b in pairs)
-
-
 def _likeliest(problem: Problem, views: Sequence[tuple[str, View]]) -> tuple[View, Search]:
     """Of columns with wrong states, those with few wrong cells; else those that one mistake explains; else the first."""
     tried: list[tuple[View, Search]] = []
     for _, each in views:
-        if len(tried) < MOST_WRONG and not any(_has_same_states(each, view) for view, _ in tried):
+        if len(tried) < MOST_WRONG and not any(has_same_states(each, view) for view, _ in tried):
             search = Search(problem, each.columns, each.places)
             tried.append((each, search))
-            if _are_cells(each) or search.explanations(1):
+            if each.are_cells or search.explanations(1):
                 return each, search
     return tried[0]
-
-
-def _are_cells(view: View) -> bool:
-    """Whether so few cells are wrong that they are no mistake of the program."""
-    return are_cells(int(np.any(view.wrong, axis=0).sum()), view.columns.t.values.size)
 
 
 def _without_first(table: Table) -> Table:
@@ -212,44 +162,6 @@ def _of_rows(table: Table, columns: Columns) -> list[Finding]:
 # States.
 
 
-def _view(problem: Problem, table: Table, columns: Columns) -> View:
-    """The first explanation of the times under which the states are right; else the first."""
-    start = taken(RIGHT, problem)
-    places = np.searchsorted(table.lines, columns.lines).astype(float)
-    views = []
-    for timing in timings(problem, start, columns.t, places):
-        wanted = right_prediction(timing.clock, start)
-        wrong = misfits(wanted, AS_ASKED, columns.theta, columns.omega)
-        judged = not_judged_from(wanted)
-        if judged < columns.t.values.size:
-            local = wrong_locally(start, timing.clock, columns)
-            on_time = by_closed_form(start, timing.clock)
-            closed = [
-                each | ~(on_time.theta_slack <= DECIDES) for each in misfits(on_time, AS_ASKED, columns.theta, columns.omega)
-            ]
-            wrong = tuple(
-                np.append(each[:judged], (near & far)[judged:]) for each, near, far in zip(wrong, local, closed, strict=True)
-            )
-        views.append(View(columns, places, timing, wanted, (*wrong, _wrong_times(columns.t, timing)), judged))
-        if _is_right(views[-1]):
-            return views[-1]
-    return views[0]
-
-
-def _wrong_times(t: Column, timing: Timing) -> npt.NDArray[np.bool_]:
-    """Rows whose times are not those of their steps, where nothing else is wrong with the times."""
-    clock = timing.clock
-    if timing.changes:
-        return np.zeros(t.values.size, bool)
-    slack = t.units + (clock.doubt + 1e-9) * np.abs(clock.t) + clock.unsure
-    wrong: npt.NDArray[np.bool_] = ~(np.abs(t.values * timing.unit - clock.t) <= slack)
-    return wrong | (np.diff(t.values, prepend=t.values[0]) < 0)
-
-
-def _is_right(view: View) -> bool:
-    return not any(wrong.any() for wrong in view.wrong)
-
-
 def _of_states(problem: Problem, view: View, found: list[Explanation] | Finding | None) -> list[Finding]:
     """What is wrong with times, angle, velocity and sinusoid. found: what explains states that are wrong."""
     columns = view.columns
@@ -258,7 +170,7 @@ def _of_states(problem: Problem, view: View, found: list[Explanation] | Finding 
     printing = AS_ASKED
     doubt = UNKNOWN
     is_rough = False
-    if not _is_right(view):
+    if not view.is_right:
         if isinstance(found, Finding):
             findings.append(found)
             is_rough = found.name == "single_precision"
@@ -270,7 +182,7 @@ def _of_states(problem: Problem, view: View, found: list[Explanation] | Finding 
             if any(each.name in ("rough_pi", "single_constants") for each in best.mistakes):
                 doubt = max(doubt, ROUGH)
             printing = best.printing
-            findings += _told(found, _first_wrong(view))
+            findings += told(found, first_wrong(view))
     elif view.judged < columns.t.values.size:
         findings.append(remark("not_judged", t=float(columns.t.values[view.judged])))
     in_time = list(timing.findings)
@@ -302,115 +214,3 @@ def _is_nearly_in_time(problem: Problem, view: View) -> bool:
     """Whether the times are as inaccurate as sums in single precision."""
     t = view.columns.t.values
     return bool(np.all(np.abs(t - view.places * problem.every) <= 1e-3 * np.abs(t)))
-
-
-def _explained(problem: Problem, view: View, search: Search) -> list[Explanation] | Finding:
-    """The programs that print the states, or what else there is to say of them."""
-    columns, where = view.columns, _first_wrong(view)
-    rows = columns.t.values.size
-    still = np.all(np.abs(wrap(columns.theta.values - columns.theta.values[0])) <= columns.theta.units)
-    if rows > 1 and still and np.all(np.abs(columns.omega.values - columns.omega.values[0]) <= columns.omega.units):
-        return Finding("nothing_moves", {}, where=where, alternatives=(error("integer_division"),))
-    found = search.explanations(1)
-    if found:
-        return found
-    if _are_cells(view):
-        return Finding("wrong_cell", {"count": sum(int(each.sum()) for each in view.wrong)}, where=where)
-    found = fitted(problem, view.timing, columns, view.places) or search.explanations(2)
-    if found:
-        return found
-    if any(
-        in_single_precision(problem, timing, columns)
-        for timing in timings(problem, taken(RIGHT, problem), columns.t, view.places)
-    ):
-        return Finding("single_precision", {}, where=where, alternatives=(error("single_constants"),))
-    found = search.explanations(3)
-    if found:
-        return found
-    if _on_a_circle(columns):
-        return error("cartesian")
-    return Finding("unexplained", _symptoms(problem, view), where=where)
-
-
-def _on_a_circle(columns: Columns) -> bool:
-    """Whether the two columns are x and y of a pendulum, whose length is always the same."""
-    x, y = columns.theta.values, columns.omega.values
-    squares = x * x + y * y
-    return bool(np.ptp(squares) <= 1e-3 * squares.max() and np.ptp(x) > 0.01 * np.sqrt(squares.max()))
-
-
-def _told(found: Sequence[Explanation], where: Where | None) -> list[Finding]:
-    """The mistakes of the first explanation; where others explain as well, their names beside."""
-    own = [mistake.name for mistake in found[0].mistakes]
-    findings = []
-    for i, mistake in enumerate(found[0].mistakes):
-        reading = found[0].candidate.reading
-        others = {each.name: error(each.name, **each.values) for each in reading.same if mistake in reading.mistakes}
-        for other in found[1:]:
-            names = [each.name for each in other.mistakes]
-            if len(names) == len(own) and names[i] != own[i] and names[:i] + names[i + 1 :] == own[:i] + own[i + 1 :]:
-                others[names[i]] = Finding(names[i], dict(other.mistakes[i].values))
-        others.pop(mistake.name, None)
-        alternatives = tuple(others.values())[:3]
-        findings.append(Finding(mistake.name, dict(mistake.values), where=where if i == 0 else None, alternatives=alternatives))
-    return findings
-
-
-def _first_wrong(view: View) -> Where | None:
-    """The first state that is not what it should be."""
-    rows = [(int(np.argmax(wrong)), i) for i, wrong in enumerate(view.wrong) if wrong.any()]
-    if not rows:
-        return None
-    row, i = min(rows)
-    columns = view.columns
-    column = (columns.theta, columns.omega, columns.t)[i]
-    wanted = (view.wanted.theta, view.wanted.omega, view.timing.clock.t)[i][row]
-    word = (WORDS[1], WORDS[2], WORDS[0])[i]
-    return Where(int(columns.lines[row]), float(columns.t.values[row]), word, float(column.values[row]), float(wanted))
-
-
-def _symptoms(problem: Problem, view: View) -> dict[str, float | int | str]:
-    """What there is to say of states that nothing explains: the order that their errors are of, and their energy."""
-    columns = view.columns
-    theta, omega = columns.theta.values, columns.omega.values
-    with np.errstate(all="ignore"):
-        energy = _core.energy(theta, omega, problem.alpha)
-        scale = float(np.max(_core.energy(np.append(theta, np.pi), np.append(omega, 0), problem.alpha)))
-        step = view.timing.clock.dt * np.sqrt(problem.alpha)
-        off = float(np.max(np.abs(wrap(theta - view.wanted.theta))))
-        order = round(np.log(max(off, 1e-15)) / np.log(step)) if 0 < step < 0.5 else 0
-    drift, spread = float(energy[-1] - energy[0]), float(np.ptp(energy))
-    if not spread > 1e-5 * scale:
-        how = "kept"
-    elif abs(drift) > 0.6 * spread:
-        how = "grows" if drift > 0 else "falls"
-    else:
-        how = "swings"
-    return {"order": int(order) if 1 <= order <= 3 else "?", "energy": how}
-
-
-# Distances.
-
-
-def _deviations(problem: Problem, view: View) -> dict[str, Deviation]:
-    """Each column against what is right at its times."""
-    columns, wanted = view.columns, view.wanted
-    off = (wrap(columns.theta.values - wanted.theta), columns.omega.values - wanted.omega)
-    found = {}
-    for role, wrong, distance, right in zip(ROLES[1:3], view.wrong[:2], off, wanted[:2], strict=True):
-        found[role] = _deviation(wrong, right, distance)
-    if problem.regime == -1 and columns.sine is not None:
-        start = taken(RIGHT, problem)
-        rows = Column(view.timing.clock.t, view.timing.clock.unsure)
-        sinusoid = right_sinusoid(start, problem.tau)
-        right = sinusoid.at(rows.values)
-        fit = fits(sinusoid.at, start, rows, columns.sine)
-        found["sine"] = _deviation(~fit, right, columns.sine.values - right)
-    return found
-
-
-def _deviation(wrong: npt.NDArray[np.bool_], wanted: Floats, off: Floats) -> Deviation:
-    rows = np.flatnonzero(wrong)
-    first = int(rows[0]) if rows.size else None
-    with np.errstate(invalid="ignore"):
-        return Deviation(int((~wrong).sum()), first, wanted, float(np.nanmax(np.abs(off), initial=0.0)))

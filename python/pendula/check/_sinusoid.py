@@ -9,9 +9,9 @@ import numpy as np
 
 from pendula import _core
 from pendula.check._finding import Finding, Where, error
+from pendula.check._mistakes import SINGLE_PI
 from pendula.check._periods import small_period
 from pendula.check._predict import ROUNDING, are_cells, without_digits
-from pendula.check._mistakes import SINGLE_PI
 from pendula.check._program import DEGREE, RIGHT, Problem, Start, analysis, closed_form, taken
 from pendula.check._table import WORDS, Column, Columns
 

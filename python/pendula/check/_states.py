@@ -1,0 +1,126 @@
+"""Wrong states: the programs that print them, or what else there is to say of them."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from pendula import _core
+from pendula.check._explain import Explanation, Search
+from pendula.check._finding import Finding, Where, error
+from pendula.check._fit import fitted
+from pendula.check._mistakes import SINGLE
+from pendula.check._predict import AS_ASKED, DECIDES, MOST_WORK, Prediction, misfits, wrap, wrong_locally
+from pendula.check._program import RIGHT, Problem, closed_form, replay, taken
+from pendula.check._timing import Timing, timings
+from pendula.check._view import View, first_wrong
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from pendula.check._table import Columns
+
+SINGLE_IN_A_ROW = 1e-3  # rad, and of ω/√α: more than single precision loses between two rows
+
+
+def explained(problem: Problem, view: View, search: Search) -> list[Explanation] | Finding:
+    """The programs that print the states, or what else there is to say of them."""
+    columns, where = view.columns, first_wrong(view)
+    rows = columns.t.values.size
+    still = np.all(np.abs(wrap(columns.theta.values - columns.theta.values[0])) <= columns.theta.units)
+    if rows > 1 and still and np.all(np.abs(columns.omega.values - columns.omega.values[0]) <= columns.omega.units):
+        return Finding("nothing_moves", {}, where=where, alternatives=(error("integer_division"),))
+    found = search.explanations(1)
+    if found:
+        return found
+    if view.are_cells:
+        return Finding("wrong_cell", {"count": sum(int(each.sum()) for each in view.wrong)}, where=where)
+    found = fitted(problem, view.timing, columns, view.places) or search.explanations(2)
+    if found:
+        return found
+    if any(
+        _in_single_precision(problem, timing, columns)
+        for timing in timings(problem, taken(RIGHT, problem), columns.t, view.places)
+    ):
+        return Finding("single_precision", {}, where=where, alternatives=(error("single_constants"),))
+    found = search.explanations(3)
+    if found:
+        return found
+    if _on_a_circle(columns):
+        return error("cartesian")
+    return Finding("unexplained", _symptoms(problem, view), where=where)
+
+
+def _on_a_circle(columns: Columns) -> bool:
+    """Whether the two columns are x and y of a pendulum, whose length is always the same."""
+    x, y = columns.theta.values, columns.omega.values
+    squares = x * x + y * y
+    return bool(np.ptp(squares) <= 1e-3 * squares.max() and np.ptp(x) > 0.01 * np.sqrt(squares.max()))
+
+
+def told(found: Sequence[Explanation], where: Where | None) -> list[Finding]:
+    """The mistakes of the first explanation; where others explain as well, their names beside."""
+    own = [mistake.name for mistake in found[0].mistakes]
+    findings = []
+    for i, mistake in enumerate(found[0].mistakes):
+        reading = found[0].candidate.reading
+        others = {each.name: error(each.name, **each.values) for each in reading.same if mistake in reading.mistakes}
+        for other in found[1:]:
+            names = [each.name for each in other.mistakes]
+            if len(names) == len(own) and names[i] != own[i] and names[:i] + names[i + 1 :] == own[:i] + own[i + 1 :]:
+                others[names[i]] = Finding(names[i], dict(other.mistakes[i].values))
+        others.pop(mistake.name, None)
+        alternatives = tuple(others.values())[:3]
+        findings.append(Finding(mistake.name, dict(mistake.values), where=where if i == 0 else None, alternatives=alternatives))
+    return findings
+
+
+def _symptoms(problem: Problem, view: View) -> dict[str, float | int | str]:
+    """What there is to say of states that nothing explains: the order that their errors are of, and their energy."""
+    columns = view.columns
+    theta, omega = columns.theta.values, columns.omega.values
+    with np.errstate(all="ignore"):
+        energy = _core.energy(theta, omega, problem.alpha)
+        scale = float(np.max(_core.energy(np.append(theta, np.pi), np.append(omega, 0), problem.alpha)))
+        step = view.timing.clock.dt * np.sqrt(problem.alpha)
+        off = float(np.max(np.abs(wrap(theta - view.wanted.theta))))
+        order = round(np.log(max(off, 1e-15)) / np.log(step)) if 0 < step < 0.5 else 0
+    drift, spread = float(energy[-1] - energy[0]), float(np.ptp(energy))
+    if not spread > 1e-5 * scale:
+        how = "kept"
+    elif abs(drift) > 0.6 * spread:
+        how = "grows" if drift > 0 else "falls"
+    else:
+        how = "swings"
+    return {"order": int(order) if 1 <= order <= 3 else "?", "energy": how}
+
+
+def _in_single_precision(problem: Problem, timing: Timing, columns: Columns) -> bool:
+    """Whether the states are as inaccurate as those of a run in single precision: within three times its errors."""
+    clock = timing.clock
+    if not 0 < clock.steps.max() <= MOST_WORK:
+        return False
+    start = taken(RIGHT, problem)
+    rounded = replay([SINGLE.of(RIGHT)], [clock], [start])
+    theta, omega = closed_form(start, clock.t)
+    single = float(np.finfo(np.float32).eps)
+    slacks = [
+        3 * np.maximum.accumulate(np.abs(each)) + 4 * single
+        for each in (wrap(rounded.theta[0] - theta), rounded.omega[0] - omega)
+    ]
+    # A time that is added up in single precision is wrong by its own roundings.
+    late = np.maximum.accumulate(clock.steps * single * clock.dt * np.sqrt(clock.steps + 1.0))
+    slacks = [slacks[0] + np.abs(omega) * late, slacks[1] + start.alpha * late]
+    wrong = misfits(Prediction(wrap(theta), omega, slacks[0], slacks[1], theta), AS_ASKED, columns.theta, columns.omega)
+    # Where its roundings decide, each row must follow from the one before.
+    is_open = ~(slacks[0] <= DECIDES)
+    near = wrong_locally(start, clock, _widened(columns, SINGLE_IN_A_ROW, SINGLE_IN_A_ROW * math.sqrt(start.alpha)))
+    return not any((np.where(is_open, local, far)).any() for far, local in zip(wrong, near, strict=True))
+
+
+def _widened(columns: Columns, theta: float, omega: float) -> Columns:
+    """The columns with units that are at least so large."""
+    units = np.maximum(columns.theta.units, theta), np.maximum(columns.omega.units, omega)
+    return columns._replace(theta=columns.theta._replace(units=units[0]), omega=columns.omega._replace(units=units[1]))

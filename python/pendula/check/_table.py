@@ -74,7 +74,11 @@ class Table(NamedTuple):
 
 def read_file(path: str) -> list[Table]:
     """The tables of a file. Raises UnreadableError."""
-    return tables(*decoded(contents(path), path))
+    data = contents(path)
+    try:
+        return tables(*decoded(data, path))
+    except UnreadableError as error:
+        raise error.of(path) from None
 
 
 def tables(text: str, notes: tuple[Note, ...] = ()) -> list[Table]:

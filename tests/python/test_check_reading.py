@@ -34,18 +34,18 @@ LAYOUTS = {
     "a prompt without a colon": (f"Introduce los datos {HEADER}\n{PLAIN}", ("extra_text",)),
     "several prompts": (f"factorDelta: factorCout: angulo y velocidad: {HEADER}\n{PLAIN}", ("extra_text",)),
     "a prompt on the first row's line": (f"Introduce los datos: {PLAIN}", ("extra_text",)),
-    "a prompt above": (f"Introduce el angulo y la velocidad inicial:\n{HEADER}\n{PLAIN}", ("extra_text",)),
-    "a prompt above and no header": (f"Introduce angulo y velocidad inicial:\n{PLAIN}", ("extra_text",)),
-    "k, θM and τ in lines of their own": (f"-1\n1.5708\n7.41630\n{HEADER}\n{PLAIN}", ("extra_text",)),
-    "k, θM and τ in one line": (f"-1 1.5708 7.41630\n{HEADER}\n{PLAIN}", ("extra_text",)),
-    "k, θM and τ in one line, no header": (f"-1 1.5708 7.41630\n{PLAIN}", ("extra_text",)),
-    "k, θM and τ in a line of labels": (f"k = -1 thetaM = 1.5708 tau = 7.41630\n{HEADER}\n{PLAIN}", ("extra_text",)),
-    "k, θM and τ in labelled lines": (f"k = -1\ntheta_M = 1.5708\ntau: 7.41630\n{HEADER}\n{PLAIN}", ("extra_text",)),
-    "the problem repeated above": (f"0.0001 0.02 1 90 s 0 r 1\n{HEADER}\n{PLAIN}", ("extra_text",)),
+    "a prompt above": (f"Introduce el angulo y la velocidad inicial:\n{HEADER}\n{PLAIN}", ()),
+    "a prompt above and no header": (f"Introduce angulo y velocidad inicial:\n{PLAIN}", ()),
+    "k, θM and τ in lines of their own": (f"-1\n1.5708\n7.41630\n{HEADER}\n{PLAIN}", ()),
+    "k, θM and τ in one line": (f"-1 1.5708 7.41630\n{HEADER}\n{PLAIN}", ()),
+    "k, θM and τ in one line, no header": (f"-1 1.5708 7.41630\n{PLAIN}", ()),
+    "k, θM and τ in a line of labels": (f"k = -1 thetaM = 1.5708 tau = 7.41630\n{HEADER}\n{PLAIN}", ()),
+    "k, θM and τ in labelled lines": (f"k = -1\ntheta_M = 1.5708\ntau: 7.41630\n{HEADER}\n{PLAIN}", ()),
+    "the problem repeated above": (f"0.0001 0.02 1 90 s 0 r 1\n{HEADER}\n{PLAIN}", ()),
     "spaces inside the header's names": (f"t  angulo (rad)  velocidad angular  funcion sinusoidal\n{PLAIN}", ()),
     "single spaces inside the names": (f"t (s) ángulo (rad) velocidad angular (rad/s) función sinusoidal\n{PLAIN}", ()),
-    "a line of units": (f"{HEADER}\ns rad rad/s rad\n{PLAIN}", ("extra_text",)),
-    "a line of units in brackets": (f"{HEADER}\n(s) (rad) (rad/s) (rad)\n{PLAIN}", ("extra_text",)),
+    "a line of units": (f"{HEADER}\ns rad rad/s rad\n{PLAIN}", ()),
+    "a line of units in brackets": (f"{HEADER}\n(s) (rad) (rad/s) (rad)\n{PLAIN}", ()),
     "LaTeX": (each_row("{0} & {1} & {2} & {3} \\\\\n"), ("latex",)),
     "a LaTeX tabular": (
         "\\begin{tabular}{|c|c|c|c|}\n\\hline\n$t$ & $\\theta$ & $\\dot{\\theta}$ & $\\theta_{seno}$ \\\\ \\hline\n"
@@ -99,7 +99,7 @@ LAYOUTS = {
     "sentences": (each_row("En t = {0} s el angulo es {1}, la velocidad {2} y el seno {3}.\n"), ()),
     "dictionaries": (each_row("{{'t': {0}, 'theta': {1}, 'omega': {2}, 'sin': {3}}}\n"), ("brackets",)),
     "Markdown": (f"| {HEADER.replace(' ', ' | ')} |\n|---|:-:|---|---:|\n" + each_row("| {0} | {1} | {2} | {3} |\n"), ()),
-    "comment marks": (f"# {HEADER}\n# RK4, h = 0.001\n" + PLAIN, ("extra_text",)),
+    "comment marks": (f"# {HEADER}\n# RK4, h = 0.001\n" + PLAIN, ()),
     "comment marks before rows": (each_row("# {0} {1} {2} {3}\n"), ()),
     "a typographic minus": (PLAIN.replace("-", "\N{MINUS SIGN}"), ()),
     "spaces that do not break": (PLAIN.replace(" ", "\N{NO-BREAK SPACE}"), ()),
@@ -308,7 +308,7 @@ def test_what_is_printed_before_each_table_is_no_row():
     text = "".join(f"-1 1.5708 7.4163\n{HEADER}\n{PLAIN}" for _ in range(3))
     found = tables(text)
     assert [table.values.tolist() for table in found] == [FOUR] * 3
-    assert [dict(table.notes)["extra_text"]["line"] for table in found] == [1, 6, 11]
+    assert all(table.notes == () for table in found)
 
 
 @pytest.mark.parametrize("lead", ["", "1 0 1\n"])

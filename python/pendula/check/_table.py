@@ -35,6 +35,7 @@ if TYPE_CHECKING:
 
 __all__ = [
     "ROLES",
+    "STATE",
     "UNREADABLE",
     "WORDS",
     "Column",
@@ -180,7 +181,8 @@ def _table(run: Run, rows: list[Line], others: list[Line], notes: tuple[Note, ..
     header = fitting(run.headers, width)
     if len(header) == width - 1 and role_of(header[0]) == "t" and _counts(cells.values[:, 0]):
         header = ("", *header)  # above the numbers of rows there is no word
-    extra = [line.place for line in others if line not in damaged]
+    # What stands above a table harms nobody.
+    extra = [line.place for line in others if line not in damaged and line.place >= rows[0].place]
     if is_first and _has_prompt(run.headers, header):
         extra += [line.place for line in run.header_lines]
     return Table(
@@ -244,5 +246,5 @@ def _notes_on_header(header: tuple[str, ...], width: int) -> Iterator[Note]:
         yield "no_time", {}
     named = set(roles_of(header).values())
     extra = [word for place, word in enumerate(header) if word and place not in named and (roles[place] or "sine" in roles)]
-    if extra and set(STATE) <= set(roles):
+    if extra and set(STATE) <= set(roles) and len(header) <= width:
         yield "extra_columns", {"columns": " ".join(extra)}

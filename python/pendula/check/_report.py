@@ -26,7 +26,7 @@ Json: TypeAlias = "Mapping[str, Json] | Sequence[Json] | float | str | None"
 
 MOST_TITLES = 3  # on a student's line
 MOST_ALIGNED = 32  # letters of a name; longer ones push their own lines only
-MOST_DIGITS = 17  # that tell any two doubles apart
+SURE_DIGITS = 15  # more would show how the last bits were rounded
 FORMULAS = ("=", "+", "-", "@")  # what they begin with in spreadsheets
 
 TEXTS: dict[str, Text] = {
@@ -78,7 +78,7 @@ class Terms(NamedTuple):
 
     def _place(self, where: Where, digits: int) -> str:
         # As many digits as the table has, and more where these do not show the difference.
-        several = range(max(digits, 1), MOST_DIGITS + 1)
+        several = range(min(max(digits, 1), SURE_DIGITS), _pages.MOST_DIGITS + 1)
         digits = next((each for each in several if f"{where.value:.{each}g}" != f"{where.wanted:.{each}g}"), digits)
         t, value, wanted = (f"{each:.{digits}g}" for each in (where.t, where.value, where.wanted))
         return self.line("where", where.line, t, where.column, value, wanted)

@@ -270,6 +270,41 @@ def test_the_reader_notes_what_it_sees(text, note):
     assert note in table.notes
 
 
+UNITS = (
+    "Tiempo /s Angulo /rad Velocidad /rad/s Sinusoidal /rad",
+    "t [s] angulo [rad] velocidad [rad/s] seno [rad]",
+    "t / s\tangulo / rad\tvelocidad / (rad/s)\tseno / rad",
+    "t s angulo rad velocidad rad/s seno rad",
+    "t angulo(rad) velocidad(rad / s) seno",
+    "[t [s], angulo [rad], velocidad [rad/s], seno [rad]]",
+    "('t', 'angulo', 'velocidad', 'seno')",
+)
+
+
+@pytest.mark.parametrize("header", UNITS)
+def test_units_are_no_columns_and_keep_their_brackets(header):
+    (table,) = tables(f"{header}\n{PLAIN}")
+    assert table.notes == ()
+    assert roles_of(table.header) == {"t": 0, "theta": 1, "omega": 2, "sine": 3}
+    assert all(word.count(one) == word.count(other) for word in table.header for one, other in ("[]", "()"))
+
+
+def test_words_of_a_header_without_numbers_below_are_no_columns():
+    (table,) = tables("t angulo velocidad Ec Ep\n0 1 2\n1 2 3\n")
+    assert table.notes == ()
+
+
+@pytest.mark.parametrize("above", ["# Ana, 2.1\n# h = 0.001\n", "Introduce los datos:\n", "-1 1.5708 7.4163\n"])
+def test_what_stands_above_a_table_is_no_fault_and_what_stands_behind_is_told(above):
+    first, second = tables(f"{above}{HEADER}\n{PLAIN}{above}{HEADER}\n{PLAIN}Fin\n")
+    assert (first.notes, second.notes) == ((), (("extra_text", {"line": 2 * (above.count("\n") + 4) + 1}),))
+
+
+def test_two_columns_below_a_header_of_four_words_are_not_folded():
+    (table,) = tables(f"{HEADER}\n" + "".join(f"{row}.5 0.25\n" for row in range(10)))
+    assert (table.values.shape, table.notes) == ((10, 2), ())
+
+
 def test_ambiguous_commas_are_paired_only_where_there_is_one_way():
     text = "0,148326,1,5598,-0,148324,1,55841\n0,296652,1,5268,-0,296595,1,52145\n0,5,2,1,3,4,1\n0,593304,1,39497,-0,591471,1,3765\n"
     (table,) = tables(text)

@@ -51,7 +51,7 @@ def check_right(*arguments, **options):
     [("pipe", "--input", "problem"), ("right.txt", "--input", "pipe"), ("right.txt", "--input", "problem", "--scale", "pipe")],
 )
 def test_a_pipe_that_nobody_writes_to_is_refused(words):
-    assert check(*words) == (2, "", "pendula check: 'pipe' is a pipe that nobody writes to\n")
+    assert check(*words) == (2, "", "pendula check: nobody writes to 'pipe', which is no file\n")
 
 
 def test_a_pipe_in_a_class_costs_nobody_else_the_mark():

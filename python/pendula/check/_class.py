@@ -138,12 +138,12 @@ def _is_pattern(word: str) -> bool:
 def _expanded(word: str) -> list[str]:
     """The files of a folder, or of a pattern that the shell has left alone, as that of Windows does."""
     if _is_folder(word):
-        found = sorted(str(path) for path in Path(word).iterdir() if path.is_file() and not path.name.startswith("."))
+        found = sorted(str(path) for path in Path(word).iterdir() if not path.is_dir() and not path.name.startswith("."))
         if not found:
             raise RefusedError(BAD_USAGE, EMPTY_FOLDER, word)
         return found
     if _is_pattern(word):
-        matching = sorted(path for path in glob.glob(word) if Path(path).is_file())  # noqa: PTH207, it may begin anywhere
+        matching = sorted(path for path in glob.glob(word) if not Path(path).is_dir())  # noqa: PTH207, it may begin anywhere
         return matching or [word]
     return [word]
 

@@ -33,7 +33,7 @@ MOST_TABLES = 1_000
 UNREADABLE: dict[str, Text] = {
     "directory": ("{0!r} is a folder, not a file", "{0!r} es una carpeta, no un fichero"),
     "closed": ("standard input is closed", "la entrada estándar está cerrada"),
-    "no writer": ("{0!r} is a pipe that nobody writes to", "{0!r} es una tubería en la que nadie escribe"),
+    "no writer": ("nobody writes to {0!r}, which is no file", "nadie escribe en {0!r}, que no es un fichero"),
     "no file": ("{0!r} does not exist", "{0!r} no existe"),
     "no permission": ("{0!r} may not be read", "no hay permiso para leer {0!r}"),
     "not read": ("{0!r} could not be read: {1}", "no se ha podido leer {0!r}: {1}"),
@@ -77,14 +77,14 @@ class UnreadableError(RefusedError):
 
 # Files.
 
-MOST_SECONDS = 2  # until somebody writes to a pipe
+MOST_SECONDS = 2  # until somebody writes to a pipe or at a terminal
 
 
 def _opened(path: str, flags: int) -> int:
-    """Like os.open, but does not wait for somebody who would write to a pipe."""
+    """Like os.open, but does not wait for somebody who would write to a pipe or at a terminal."""
     descriptor = os.open(path, flags | os.O_NONBLOCK)
     try:
-        if stat.S_ISFIFO(os.fstat(descriptor).st_mode) and not _has_writer(descriptor):
+        if not stat.S_ISREG(os.fstat(descriptor).st_mode) and not _has_writer(descriptor):
             raise UnreadableError("no writer", path)
         os.set_blocking(descriptor, True)
     except BaseException:
@@ -93,14 +93,14 @@ def _opened(path: str, flags: int) -> int:
     return descriptor
 
 
-def _has_writer(pipe: int) -> bool:
-    """Whether somebody has written to a pipe, or has it open and may yet do so."""
-    if select([pipe], [], [], MOST_SECONDS)[0]:
+def _has_writer(descriptor: int) -> bool:
+    """Whether there is something to read, or somebody has the pipe open and may yet write."""
+    if select([descriptor], [], [], MOST_SECONDS)[0]:
         return True
     try:
-        os.read(pipe, 1)
+        os.read(descriptor, 1)
     except BlockingIOError:
-        return True
+        return stat.S_ISFIFO(os.fstat(descriptor).st_mode)
     return False
 
 
@@ -121,7 +121,9 @@ def opened(path: str) -> Iterator[BinaryIO]:
         raise UnreadableError("directory", path) from None
     except PermissionError:
         raise UnreadableError("no permission", path) from None
-    except (OSError, ValueError) as error:
+    except OSError as error:
+        raise UnreadableError("not read", path, error.strerror) from None
+    except ValueError as error:  # a name with a zero byte
         raise UnreadableError("not read", path, error) from None
 
 

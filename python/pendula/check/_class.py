@@ -123,12 +123,20 @@ def files(words: Sequence[str], others: Iterable[str]) -> tuple[list[tuple[str, 
     if len(words) == 1 and not _is_folder(words[0]) and not _is_pattern(words[0]):
         return _named(words), False
     paths = dict.fromkeys(path for word in words for path in _expanded(word))
-    left_out = {os.path.realpath(path) for path in others}
-    return _named([path for path in paths if os.path.realpath(path) not in left_out]), True
+    left_out = {_real(path) for path in others}
+    return _named([path for path in paths if _real(path) not in left_out]), True
 
 
 def _is_folder(word: str) -> bool:
     return word != "" and Path(word).is_dir()  # Path("") is the current folder
+
+
+def _real(path: str) -> str:
+    """Without links; as it is where there is no current folder any more."""
+    try:
+        return os.path.realpath(path)
+    except OSError:
+        return path
 
 
 def _is_pattern(word: str) -> bool:

@@ -105,7 +105,8 @@ def write_pages(folder: str, students: Sequence[Student], terms: Terms) -> None:
     """The class's page last: where it is, all are."""
     names = page_names([student.name for student in students])
     for student, name in zip(students, names, strict=True):
-        write_file(Path(folder) / name, student_page(student, terms).encode(errors="backslashreplace"))
+        # Names are UTF-8, as the links to them are, whatever the locale says.
+        write_file(Path(folder) / os.fsdecode(name.encode()), student_page(student, terms).encode(errors="backslashreplace"))
     write_file(Path(folder) / "index.html", class_page(students, names, terms).encode(errors="backslashreplace"))
 
 

@@ -100,6 +100,17 @@ def test_a_pipe_that_is_open_is_waited_for(right):
     assert (status, told.splitlines()[-1]) == (0, "1 of 1 tables right.")
 
 
+def test_a_terminal_at_which_nobody_types_is_refused(folder):
+    """A student's file may be a link to one."""
+    master, terminal = os.openpty()
+    (folder / "other" / "ana.txt").symlink_to(os.ttyname(terminal))
+    status, told, _ = check("other", "--input", "problem")
+    os.close(terminal)
+    os.close(master)
+    assert status == 2
+    assert "nobody writes to 'other/ana.txt'" in told
+
+
 def test_standard_input_that_is_closed_is_said_so():
     done = finished(["/bin/sh", "-c", 'exec "$@" <&-', "sh", *COMMAND, "-", "--input", "problem", "--lang", "en"], b"")
     assert (done.returncode, done.stderr) == (2, b"pendula check: standard input is closed\n")
@@ -141,6 +152,54 @@ def test_every_reason_names_its_file(folder, text, reason):
     assert status == 2
     assert error.startswith(f"pendula check: 'ana.txt': {reason}")
     assert f"'ana.txt': {reason}" in check_right("ana.txt")[1]
+
+
+def test_a_folder_s_links_to_nowhere_and_pipes_are_listed(folder):
+    (folder / "other" / "right.txt").write_text((folder / "right.txt").read_text())
+    (folder / "other" / "lost.txt").symlink_to("nowhere")
+    (folder / "other" / "round.txt").symlink_to("round.txt")
+    os.mkfifo(folder / "other" / "pipe.txt")
+    for words in ("other", "other/*.txt"):
+        status, told, _ = check(words, "--input", "problem")
+        assert (status, told.splitlines()[-1]) == (2, "4 files: 1 right, 0 wrong, 3 unreadable.")
+
+
+def test_problems_that_cannot_be_read_are_told_with_the_first_reason(folder):
+    (folder / "problem").write_text(f"{PROBLEM}0.001 0.02 1 90 s 0 r -1\n")
+    status, told, error = check_right()
+    assert (status, told) == (2, "")
+    first, second = error.splitlines()
+    assert "problem 2, line 2" in first
+    assert second == "pendula check: the problems of 'problem' could not be read"
+
+
+def test_a_scale_may_begin_with_the_mark_of_some_editors(folder):
+    (folder / "scale").write_text("points = 4\r\n", "utf-8-sig")
+    assert "4 points of 4." in check_right("--scale", "scale")[1]
+
+
+def test_hidden_files_of_the_system_do_not_make_a_report_foreign(folder):
+    check_right("--report", "report")
+    for name in (".DS_Store", ".123.tmp"):
+        (folder / "report" / name).write_text("")
+    assert check_right("--report", "report")[0] == 0
+
+
+@pytest.mark.parametrize("env", [{"LC_ALL": "C", "PYTHONUTF8": "0"}, {"PYTHONIOENCODING": "cp1252"}, {}])
+def test_pages_have_their_names_in_any_environment(folder, env):
+    (folder / "Núñez.txt").write_text((folder / "right.txt").read_text())
+    status, _, error = check("Núñez.txt", "--input", "problem", "--report", "report", env=os.environ | env)
+    assert (status, error) == (0, "")
+    assert (folder / "report" / "Núñez.html").exists()
+
+
+def test_a_current_folder_that_is_gone_is_no_reason_to_fail(folder):
+    (folder / "gone").mkdir()
+    script = 'cd gone && rmdir ../gone && exec "$@"'
+    words = [*COMMAND, folder / "right.txt", folder / "right.txt", "--input", folder / "problem", "--lang", "en"]
+    done = finished(["/bin/sh", "-c", script, "sh", *words], b"")
+    assert b"Traceback" not in done.stderr
+    assert done.stdout.splitlines()[-1] == b"1 files: 1 right, 0 wrong, 0 unreadable."
 
 
 # Names, and words of a table, that mean ill.

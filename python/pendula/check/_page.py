@@ -75,7 +75,8 @@ def prepare(folder: str) -> None:
     path = Path(folder)
     try:
         path.mkdir(parents=True, exist_ok=True)
-        entries = sorted(path.iterdir())
+        # Hidden ones are of the system, or what an interrupted run has left; no page has such a name.
+        entries = sorted(each for each in path.iterdir() if not each.name.startswith("."))
         foreign = next((each.name for each in entries if each.is_symlink() or not _begins(each, MADE_HERE.encode())), None)
     except OSError as error:
         raise RefusedError(NOT_WRITTEN, TEXTS["not written"], folder, error.strerror) from error

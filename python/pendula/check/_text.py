@@ -53,7 +53,7 @@ UNREADABLE: dict[str, Text] = {
         "there is no table: no line of two numbers or more",
         "no hay ninguna tabla: ninguna línea de dos números o más",
     ),
-    "no problems": ("{0!r} holds no problem that could be read", "{0!r} no trae ningún problema que se pueda leer"),
+    "no problems": ("the problems of {0!r} could not be read", "no se han podido leer los problemas de {0!r}"),
 }
 
 

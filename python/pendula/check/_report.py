@@ -163,7 +163,7 @@ def count_line(students: Sequence[Student], terms: Terms) -> str:
 def titles(student: Student, terms: Terms) -> str:
     """The first findings in a few words, mistakes before remarks, with the problems that they are found in."""
     if student.unreadable:
-        return shown(reason(student, terms.lang))
+        return reason(student, terms.lang)
     found: dict[str, list[int]] = {}
     every = [(finding, mark.problem) for mark in student.marks for finding in mark.findings]
     every += [(finding, 0) for finding in student.findings]
@@ -178,7 +178,7 @@ def titles(student: Student, terms: Terms) -> str:
 
 def reason(student: Student, lang: str) -> str:
     """Why a file is unreadable."""
-    return say(student.unreadable.text, lang, *student.unreadable.values) if student.unreadable else ""
+    return shown(say(student.unreadable.text, lang, *student.unreadable.values)) if student.unreadable else ""
 
 
 # For spreadsheets.

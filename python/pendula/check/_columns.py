@@ -65,7 +65,7 @@ def role_of(word: str) -> str:
     plain = LATEX.sub("", plain).strip()
     if plain.startswith("d(") and "/dt" in plain:
         plain = plain.replace("(", "").replace(")", "")
-    plain = UNIT.sub("", plain).split(",")[0].replace("\u2032", "'").replace("\u2019", "'")
+    plain = UNIT.sub("", SPACED_UNIT.sub("", plain)).split(",")[0].replace("\u2032", "'").replace("\u2019", "'")
     if len(plain) > 1 and plain[0] == plain[-1] == "'":
         plain = plain[1:-1]
     letters = LETTERS.match(re.sub(r"[\s_.\-^]", "", plain))
@@ -91,8 +91,8 @@ PHRASES = re.compile(
 )
 SPACED_UNIT = re.compile(
     r"""(?:[ \t]{1,9}/?[ ]? | (?<=\w)) [(\[][^()\[\]]{0,20}[)\]]
-      | [ \t]{1,9}(?:/[ ]?)?(?:rad|radianes|radians|grados|degrees|deg|º|°)(?:[ ]?/[ ]?s(?:eg)?)?(?![^\s,;|&])
-      | [ \t]{1,9}(?:/[ ]?|(?<=\bt[ ])|(?<=tiempo[ ])|(?<=time[ ]))(?:segundos|seconds|seg|s)(?![^\s,;|&])""",
+      | [ \t]{1,9}(?:/[ ]?|(?:en|in)[ ])?(?:rad|radianes|radians|grados|degrees|deg|º|°)(?:[ ]?/[ ]?s(?:eg)?)?(?![^\s,;|&])
+      | [ \t]{1,9}(?:/[ ]?|(?:en|in)[ ]|(?<=\bt[ ])|(?<=tiempo[ ])|(?<=time[ ]))(?:segundos|seconds|seg|s)(?![^\s,;|&])""",
     re.IGNORECASE | re.VERBOSE,
 )
 STRONG = re.compile(r"\t+|[;|&,]|\s{2,}")

@@ -303,6 +303,22 @@ def test_what_stands_above_a_table_is_no_fault_and_what_stands_behind_is_told(ab
     assert (first.notes, second.notes) == ((), (("extra_text", {"line": 2 * (above.count("\n") + 4) + 1}),))
 
 
+BEHIND = ("-1 1.5708 7.4163", "0.1 4", "0.001 0.02 1 90 0 1", "Practica 3, 2024", "Energia 0.5 1.2", "Periodo: 7.4163 s", "[1]")
+
+
+@pytest.mark.parametrize("line", BEHIND)
+@pytest.mark.parametrize("width", [3, 4])
+def test_numbers_behind_a_table_are_no_table_and_no_row_of_it(line, width):
+    text = "".join(" ".join(row.split()[:width]) + "\n" for row in PLAIN.splitlines())
+    (table,) = tables(text + line)
+    assert np.array_equal(table.values, np.array(FOUR)[:, :width])
+    assert (table.ragged, table.notes) == ((), (("extra_text", {"line": 4}),))
+
+
+def test_a_table_of_one_row_behind_another_is_a_table():
+    assert [len(table.values) for table in tables(PLAIN + "0 0.5 2\n")] == [3, 1]
+
+
 def test_two_columns_below_a_header_of_four_words_are_not_folded():
     (table,) = tables(f"{HEADER}\n" + "".join(f"{row}.5 0.25\n" for row in range(10)))
     assert (table.values.shape, table.notes) == ((10, 2), ())

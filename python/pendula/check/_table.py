@@ -103,6 +103,7 @@ def tables(text: str, notes: tuple[Note, ...] = ()) -> list[Table]:
 
 JUDGED_BY = 200  # rows
 PLACE = attrgetter("place")
+LONGEST_SLIP = 3  # letters in the place of a first number; more are a word
 SHORT = 3  # rows; fewer may be numbers that a program prints before its table
 
 
@@ -116,6 +117,8 @@ def _parts_of(run: Run, before: list[Line]) -> list[tuple[list[Line], list[Line]
         following = parts[place + 1] if place + 1 < len(parts) else []
         while part and _is_preamble(part, following, run, has_tables=bool(kept)):
             others.append(part.pop(0))
+        if kept and _is_afterword(part, kept[-1]):
+            others.append(part.pop())
         if part:
             kept.append(part)
     others = sorted([*before, *others], key=PLACE)
@@ -172,6 +175,14 @@ def _is_preamble(part: Sequence[Line], following: Sequence[Line], run: Run, has_
     return whole and len(part) > SHORT and (time_of(first, 0) < 0 or time_of(first, 0) >= time_of(part[1], 0))
 
 
+def _is_afterword(part: Sequence[Line], table: Sequence[Line]) -> bool:
+    """Whether a row alone behind a table is none: k, θM and τ, or the like. A table may have one row, that of t = 0."""
+    if len(part) != 1 or time_of(part[0], 0) == 0:
+        return False
+    is_analysis = part[0].size == 3 and part[0].numbers.split()[0] in ("-1", "1")
+    return is_analysis or part[0].size != _width(table)
+
+
 def _table(run: Run, rows: list[Line], others: list[Line], notes: tuple[Note, ...], is_first: bool) -> Table:
     width = _width(rows)
     damaged = [line for line in others if _is_damaged(line, rows, width, run.header_lines)]
@@ -202,7 +213,7 @@ def _is_damaged(line: Line, rows: Sequence[Line], width: int, header: Sequence[L
     is_inside = first < line.place < last
     if line.kind.name == ROW:
         return is_inside and line.size > 0
-    if line.size == 0 or line.kind.fields != width:
+    if line.size == 0 or line.kind.fields != width or len(line.kind.labels[0]) > LONGEST_SLIP:
         return False
     if line.size >= width - 1 >= 2 and (line.kind.is_led or line.size < width):
         return is_inside or line.place in (first - 1, last + 1) or (len(header) > 0 and header[0].place < line.place)

@@ -101,6 +101,11 @@ LAYOUTS = {
     "Markdown": (f"| {HEADER.replace(' ', ' | ')} |\n|---|:-:|---|---:|\n" + each_row("| {0} | {1} | {2} | {3} |\n"), ()),
     "comment marks": (f"# {HEADER}\n# RK4, h = 0.001\n" + PLAIN, ()),
     "comment marks before rows": (each_row("# {0} {1} {2} {3}\n"), ()),
+    "a dash for a minus": (PLAIN.replace("-", "\N{EN DASH}"), ()),
+    "a frame of lines": (
+        f"┏━━━┳━━━┓\n┃ {HEADER.replace(' ', ' ┃ ')} ┃\n┡━━━╇━━━┩\n" + each_row("│ {0} │ {1} │ {2} │ {3} │\n") + "└───┴───┘\n",
+        (),
+    ),
     "a typographic minus": (PLAIN.replace("-", "\N{MINUS SIGN}"), ()),
     "spaces that do not break": (PLAIN.replace(" ", "\N{NO-BREAK SPACE}"), ()),
     "colours": (f"\x1b[1m{HEADER}\x1b[0m\n{PLAIN}", ()),
@@ -313,6 +318,12 @@ def test_numbers_behind_a_table_are_no_table_and_no_row_of_it(line, width):
     (table,) = tables(text + line)
     assert np.array_equal(table.values, np.array(FOUR)[:, :width])
     assert (table.ragged, table.notes) == ((), (("extra_text", {"line": 4}),))
+
+
+def test_lines_that_are_numbered_through_have_their_header_s_columns():
+    rows = "".join(f"{place}: {row}\n" for place, row in enumerate(PLAIN.splitlines(), start=52))
+    (table,) = tables(f"{HEADER}\n{rows}")
+    assert table.header == ("", *HEADER.split())
 
 
 def test_a_table_of_one_row_behind_another_is_a_table():

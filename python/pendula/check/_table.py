@@ -227,7 +227,7 @@ def _has_prompt(headers: Sequence[tuple[str, ...]], header: tuple[str, ...]) -> 
 
 
 def _counts(numbers: Floats) -> bool:
-    return len(numbers) > 1 and numbers[0] in (0, 1) and bool(np.all(np.diff(numbers) == 1))
+    return len(numbers) > 1 and float(numbers[0]).is_integer() and bool(np.all(np.diff(numbers) == 1))
 
 
 def _notes(run: Run, rows: Sequence[Line], header: tuple[str, ...], extra: Sequence[int], width: int) -> Iterator[Note]:

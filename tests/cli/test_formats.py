@@ -196,3 +196,14 @@ def test_a_dry_run_checks_all_problems_and_prints_no_rows(pendula):
     assert b"problem 3" in bad.stderr
     one = pendula("solve", "--theta0", "1", "--dry-run", "--format", "csv").stdout
     assert one == b"t,theta,omega,sine\n"
+
+
+def test_a_dry_run_leaves_the_file_of_an_earlier_run_as_it_is(pendula, tmp_path):
+    earlier = tmp_path / "earlier.csv"
+    earlier.write_text("rows of hours")
+    for command, text in ((("solve", "--theta0", "1"), ""), ((), "0.0001 0.02 1 90 s 0 r 1\n")):
+        done = pendula(*command, "--dry-run", "--output", "earlier.csv", text=text, cwd=tmp_path)
+        assert (done.returncode, done.stdout) == (0, b"t angulo velocidad funcionSinusoidal\n")
+        assert b'leaves "earlier.csv" as it is' in done.stderr
+        assert earlier.read_text() == "rows of hours"
+    assert pendula("--dry-run", "--output", "-", text="0.0001 0.02 1 90 s 0 r 1\n").stderr == b""

@@ -83,3 +83,11 @@ def test_numbers_that_are_not_finite_are_no_exception():
     assert all(
         np.isfinite(value) for finding in judgement.findings for value in finding.values.values() if isinstance(value, float)
     )
+
+
+@pytest.mark.parametrize("lost", [(0, 1, 2, 3), (1, 2, 3), (1,), (0,)])
+def test_a_table_without_a_number_in_any_row_has_no_numbers_where_they_should_be(program, lost):
+    lines = program(text=QUARTER).splitlines()
+    rows = [" ".join("nan" if place in lost else word for place, word in enumerate(line.split())) for line in lines[1:]]
+    findings = judged(QUARTER, "\n".join([lines[0], *rows])).findings
+    assert [(each.name, each.values) for each in findings] == [("not_numbers", {"line": 2, "count": len(rows)})]

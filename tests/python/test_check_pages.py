@@ -155,9 +155,13 @@ def test_an_empty_line_is_between_code_and_paragraphs(lang):
     assert mixed == []
 
 
-def test_floats_have_as_many_digits_as_asked_and_counts_have_all():
+def test_floats_have_as_many_digits_as_the_table_but_no_more_than_tell_something():
     assert say("late_start", "en", {"first": 1 / 3}, 3) == "The table starts at t = 0.333; the first row must be that of t = 0."
-    assert say("late_start", "es", {"first": 1 / 3}, 10).startswith("La tabla empieza en t = 0.3333333333;")
+    assert say("late_start", "es", {"first": 1 / 3}, 17).startswith("La tabla empieza en t = 0.333333;")
+    assert say("tau", "en", {"spacing": 0.1480001, "every": 0.1480002}, 3).startswith(
+        "Rows are 0.1480001 s apart instead of 0.1480002:"
+    )
+    assert say("rough_pi", "en", {"pi": 3.14159}, 3).startswith("π was taken as 3.14159;")
     assert "(such lines: 10001)" in say("ragged", "en", {"line": 7, "count": 10001}, 3)
 
 

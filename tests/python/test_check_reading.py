@@ -34,18 +34,18 @@ LAYOUTS = {
     "a prompt without a colon": (f"Introduce los datos {HEADER}\n{PLAIN}", ("extra_text",)),
     "several prompts": (f"factorDelta: factorCout: angulo y velocidad: {HEADER}\n{PLAIN}", ("extra_text",)),
     "a prompt on the first row's line": (f"Introduce los datos: {PLAIN}", ("extra_text",)),
-    "a prompt above": (f"Introduce el angulo y la velocidad inicial:\n{HEADER}\n{PLAIN}", ("extra_text",)),
-    "a prompt above and no header": (f"Introduce angulo y velocidad inicial:\n{PLAIN}", ("extra_text",)),
-    "k, θM and τ in lines of their own": (f"-1\n1.5708\n7.41630\n{HEADER}\n{PLAIN}", ("extra_text",)),
-    "k, θM and τ in one line": (f"-1 1.5708 7.41630\n{HEADER}\n{PLAIN}", ("extra_text",)),
-    "k, θM and τ in one line, no header": (f"-1 1.5708 7.41630\n{PLAIN}", ("extra_text",)),
-    "k, θM and τ in a line of labels": (f"k = -1 thetaM = 1.5708 tau = 7.41630\n{HEADER}\n{PLAIN}", ("extra_text",)),
-    "k, θM and τ in labelled lines": (f"k = -1\ntheta_M = 1.5708\ntau: 7.41630\n{HEADER}\n{PLAIN}", ("extra_text",)),
-    "the problem repeated above": (f"0.0001 0.02 1 90 s 0 r 1\n{HEADER}\n{PLAIN}", ("extra_text",)),
+    "a prompt above": (f"Introduce el angulo y la velocidad inicial:\n{HEADER}\n{PLAIN}", ()),
+    "a prompt above and no header": (f"Introduce angulo y velocidad inicial:\n{PLAIN}", ()),
+    "k, θM and τ in lines of their own": (f"-1\n1.5708\n7.41630\n{HEADER}\n{PLAIN}", ()),
+    "k, θM and τ in one line": (f"-1 1.5708 7.41630\n{HEADER}\n{PLAIN}", ()),
+    "k, θM and τ in one line, no header": (f"-1 1.5708 7.41630\n{PLAIN}", ()),
+    "k, θM and τ in a line of labels": (f"k = -1 thetaM = 1.5708 tau = 7.41630\n{HEADER}\n{PLAIN}", ()),
+    "k, θM and τ in labelled lines": (f"k = -1\ntheta_M = 1.5708\ntau: 7.41630\n{HEADER}\n{PLAIN}", ()),
+    "the problem repeated above": (f"0.0001 0.02 1 90 s 0 r 1\n{HEADER}\n{PLAIN}", ()),
     "spaces inside the header's names": (f"t  angulo (rad)  velocidad angular  funcion sinusoidal\n{PLAIN}", ()),
     "single spaces inside the names": (f"t (s) ángulo (rad) velocidad angular (rad/s) función sinusoidal\n{PLAIN}", ()),
-    "a line of units": (f"{HEADER}\ns rad rad/s rad\n{PLAIN}", ("extra_text",)),
-    "a line of units in brackets": (f"{HEADER}\n(s) (rad) (rad/s) (rad)\n{PLAIN}", ("extra_text",)),
+    "a line of units": (f"{HEADER}\ns rad rad/s rad\n{PLAIN}", ()),
+    "a line of units in brackets": (f"{HEADER}\n(s) (rad) (rad/s) (rad)\n{PLAIN}", ()),
     "LaTeX": (each_row("{0} & {1} & {2} & {3} \\\\\n"), ("latex",)),
     "a LaTeX tabular": (
         "\\begin{tabular}{|c|c|c|c|}\n\\hline\n$t$ & $\\theta$ & $\\dot{\\theta}$ & $\\theta_{seno}$ \\\\ \\hline\n"
@@ -99,8 +99,13 @@ LAYOUTS = {
     "sentences": (each_row("En t = {0} s el angulo es {1}, la velocidad {2} y el seno {3}.\n"), ()),
     "dictionaries": (each_row("{{'t': {0}, 'theta': {1}, 'omega': {2}, 'sin': {3}}}\n"), ("brackets",)),
     "Markdown": (f"| {HEADER.replace(' ', ' | ')} |\n|---|:-:|---|---:|\n" + each_row("| {0} | {1} | {2} | {3} |\n"), ()),
-    "comment marks": (f"# {HEADER}\n# RK4, h = 0.001\n" + PLAIN, ("extra_text",)),
+    "comment marks": (f"# {HEADER}\n# RK4, h = 0.001\n" + PLAIN, ()),
     "comment marks before rows": (each_row("# {0} {1} {2} {3}\n"), ()),
+    "a dash for a minus": (PLAIN.replace("-", "\N{EN DASH}"), ()),
+    "a frame of lines": (
+        f"┏━━━┳━━━┓\n┃ {HEADER.replace(' ', ' ┃ ')} ┃\n┡━━━╇━━━┩\n" + each_row("│ {0} │ {1} │ {2} │ {3} │\n") + "└───┴───┘\n",
+        (),
+    ),
     "a typographic minus": (PLAIN.replace("-", "\N{MINUS SIGN}"), ()),
     "spaces that do not break": (PLAIN.replace(" ", "\N{NO-BREAK SPACE}"), ()),
     "colours": (f"\x1b[1m{HEADER}\x1b[0m\n{PLAIN}", ()),
@@ -270,6 +275,66 @@ def test_the_reader_notes_what_it_sees(text, note):
     assert note in table.notes
 
 
+UNITS = (
+    "Tiempo /s Angulo /rad Velocidad /rad/s Sinusoidal /rad",
+    "t [s] angulo [rad] velocidad [rad/s] seno [rad]",
+    "t / s\tangulo / rad\tvelocidad / (rad/s)\tseno / rad",
+    "t s angulo rad velocidad rad/s seno rad",
+    "t en s  angulo en rad  velocidad en rad/s  seno en rad",
+    "tiempo en segundos angulo en radianes velocidad en rad/s seno en rad",
+    "t s;theta rad;w rad/s;sin rad",
+    "t angulo(rad) velocidad(rad / s) seno",
+    "[t [s], angulo [rad], velocidad [rad/s], seno [rad]]",
+    "('t', 'angulo', 'velocidad', 'seno')",
+)
+
+
+@pytest.mark.parametrize("header", UNITS)
+def test_units_are_no_columns_and_keep_their_brackets(header):
+    (table,) = tables(f"{header}\n{PLAIN}")
+    assert table.notes == ()
+    assert roles_of(table.header) == {"t": 0, "theta": 1, "omega": 2, "sine": 3}
+    assert all(word.count(one) == word.count(other) for word in table.header for one, other in ("[]", "()"))
+
+
+def test_words_of_a_header_without_numbers_below_are_no_columns():
+    (table,) = tables("t angulo velocidad Ec Ep\n0 1 2\n1 2 3\n")
+    assert table.notes == ()
+
+
+@pytest.mark.parametrize("above", ["# Ana, 2.1\n# h = 0.001\n", "Introduce los datos:\n", "-1 1.5708 7.4163\n"])
+def test_what_stands_above_a_table_is_no_fault_and_what_stands_behind_is_told(above):
+    first, second = tables(f"{above}{HEADER}\n{PLAIN}{above}{HEADER}\n{PLAIN}Fin\n")
+    assert (first.notes, second.notes) == ((), (("extra_text", {"line": 2 * (above.count("\n") + 4) + 1}),))
+
+
+BEHIND = ("-1 1.5708 7.4163", "0.1 4", "0.001 0.02 1 90 0 1", "Practica 3, 2024", "Energia 0.5 1.2", "Periodo: 7.4163 s", "[1]")
+
+
+@pytest.mark.parametrize("line", BEHIND)
+@pytest.mark.parametrize("width", [3, 4])
+def test_numbers_behind_a_table_are_no_table_and_no_row_of_it(line, width):
+    text = "".join(" ".join(row.split()[:width]) + "\n" for row in PLAIN.splitlines())
+    (table,) = tables(text + line)
+    assert np.array_equal(table.values, np.array(FOUR)[:, :width])
+    assert (table.ragged, table.notes) == ((), (("extra_text", {"line": 4}),))
+
+
+def test_lines_that_are_numbered_through_have_their_header_s_columns():
+    rows = "".join(f"{place}: {row}\n" for place, row in enumerate(PLAIN.splitlines(), start=52))
+    (table,) = tables(f"{HEADER}\n{rows}")
+    assert table.header == ("", *HEADER.split())
+
+
+def test_a_table_of_one_row_behind_another_is_a_table():
+    assert [len(table.values) for table in tables(PLAIN + "0 0.5 2\n")] == [3, 1]
+
+
+def test_two_columns_below_a_header_of_four_words_are_not_folded():
+    (table,) = tables(f"{HEADER}\n" + "".join(f"{row}.5 0.25\n" for row in range(10)))
+    assert (table.values.shape, table.notes) == ((10, 2), ())
+
+
 def test_ambiguous_commas_are_paired_only_where_there_is_one_way():
     text = "0,148326,1,5598,-0,148324,1,55841\n0,296652,1,5268,-0,296595,1,52145\n0,5,2,1,3,4,1\n0,593304,1,39497,-0,591471,1,3765\n"
     (table,) = tables(text)
@@ -308,7 +373,7 @@ def test_what_is_printed_before_each_table_is_no_row():
     text = "".join(f"-1 1.5708 7.4163\n{HEADER}\n{PLAIN}" for _ in range(3))
     found = tables(text)
     assert [table.values.tolist() for table in found] == [FOUR] * 3
-    assert [dict(table.notes)["extra_text"]["line"] for table in found] == [1, 6, 11]
+    assert all(table.notes == () for table in found)
 
 
 @pytest.mark.parametrize("lead", ["", "1 0 1\n"])

@@ -120,11 +120,23 @@ def files(words: Sequence[str], others: Iterable[str]) -> tuple[list[tuple[str, 
 
     others: files that have another part in the command. A class has them often in its folder, and they are no student's.
     """
-    if len(words) == 1 and not Path(words[0]).is_dir() and not _is_pattern(words[0]):
+    if len(words) == 1 and not _is_folder(words[0]) and not _is_pattern(words[0]):
         return _named(words), False
     paths = dict.fromkeys(path for word in words for path in _expanded(word))
-    left_out = {os.path.realpath(path) for path in others}
-    return _named([path for path in paths if os.path.realpath(path) not in left_out]), True
+    left_out = {_real(path) for path in others}
+    return _named([path for path in paths if _real(path) not in left_out]), True
+
+
+def _is_folder(word: str) -> bool:
+    return word != "" and Path(word).is_dir()  # Path("") is the current folder
+
+
+def _real(path: str) -> str:
+    """Without links; as it is where there is no current folder any more."""
+    try:
+        return os.path.realpath(path)
+    except OSError:
+        return path
 
 
 def _is_pattern(word: str) -> bool:
@@ -133,13 +145,13 @@ def _is_pattern(word: str) -> bool:
 
 def _expanded(word: str) -> list[str]:
     """The files of a folder, or of a pattern that the shell has left alone, as that of Windows does."""
-    if Path(word).is_dir():
-        found = sorted(str(path) for path in Path(word).iterdir() if path.is_file() and not path.name.startswith("."))
+    if _is_folder(word):
+        found = sorted(str(path) for path in Path(word).iterdir() if not path.is_dir() and not path.name.startswith("."))
         if not found:
             raise RefusedError(BAD_USAGE, EMPTY_FOLDER, word)
         return found
     if _is_pattern(word):
-        matching = sorted(path for path in glob.glob(word) if Path(path).is_file())  # noqa: PTH207, it may begin anywhere
+        matching = sorted(path for path in glob.glob(word) if not Path(path).is_dir())  # noqa: PTH207, it may begin anywhere
         return matching or [word]
     return [word]
 

@@ -65,7 +65,7 @@ def role_of(word: str) -> str:
     plain = LATEX.sub("", plain).strip()
     if plain.startswith("d(") and "/dt" in plain:
         plain = plain.replace("(", "").replace(")", "")
-    plain = UNIT.sub("", plain).split(",")[0].replace("\u2032", "'").replace("\u2019", "'")
+    plain = UNIT.sub("", SPACED_UNIT.sub("", plain)).split(",")[0].replace("\u2032", "'").replace("\u2019", "'")
     if len(plain) > 1 and plain[0] == plain[-1] == "'":
         plain = plain[1:-1]
     letters = LETTERS.match(re.sub(r"[\s_.\-^]", "", plain))
@@ -89,7 +89,12 @@ PHRASES = re.compile(
       | (?:theta|θ|[aá]ngulo)[ ]+(?:punto|dot|prima)""",
     re.IGNORECASE | re.VERBOSE,
 )
-SPACED_UNIT = re.compile(r" {1,9}([(\[][^()\[\]]{0,20}[)\]])")
+SPACED_UNIT = re.compile(
+    r"""(?:[ \t]{1,9}/?[ ]? | (?<=\w)) [(\[][^()\[\]]{0,20}[)\]]
+      | [ \t]{1,9}(?:/[ ]?|(?:en|in)[ ])?(?:rad|radianes|radians|grados|degrees|deg|º|°)(?:[ ]?/[ ]?s(?:eg)?)?(?![^\s,;|&])
+      | [ \t]{1,9}(?:/[ ]?|(?:en|in)[ ]|(?<=\bt[ ])|(?<=tiempo[ ])|(?<=time[ ]))(?:segundos|seconds|seg|s)(?![^\s,;|&])""",
+    re.IGNORECASE | re.VERBOSE,
+)
 STRONG = re.compile(r"\t+|[;|&,]|\s{2,}")
 # What follows the last of these is no longer a question for the user.
 PROMPT = re.compile(
@@ -98,6 +103,7 @@ PROMPT = re.compile(
     re.IGNORECASE,
 )
 PAIRED_QUOTES = re.compile(r"^([\"'])(.*)\1$")
+AROUND_ALL = re.compile(r"[\[(][^\])]*(?:[\[(]|[\])]?$)")
 LONGEST_HEADER = 400  # letters
 
 
@@ -105,7 +111,7 @@ def headers_of(line: str) -> tuple[tuple[str, ...], ...]:
     """The words of the header that a line may be, separated in each way that names two quantities or more."""
     if len(line) > LONGEST_HEADER:
         return ()
-    text = line.strip().strip("#%/!|&\\ \t[]")
+    text = _without_brackets(line.strip("#%/!|&\\ \t\r"))
     found: list[tuple[str, ...]] = []
     for part in (text, _after_prompt(text)):
         for words in (STRONG.split(part), _weakly_split(part)):
@@ -113,6 +119,13 @@ def headers_of(line: str) -> tuple[tuple[str, ...], ...]:
             if _is_known(header) and header not in found:
                 found.append(header)
     return tuple(found) if _is_header(text) else ()
+
+
+def _without_brackets(text: str) -> str:
+    """Without those around the whole, which are not those of a unit at its ends."""
+    while AROUND_ALL.match(text):
+        text = text[1:-1].strip() if text[-1] in "])" else text[1:].strip()
+    return text
 
 
 def _after_prompt(text: str) -> str:
@@ -131,8 +144,12 @@ def _is_known(words: Sequence[str]) -> bool:
 
 def _weakly_split(text: str) -> list[str]:
     """Words at any separator; those of one name stay together."""
-    joined = PHRASES.sub(lambda match: match[0].replace(" ", JOINED), SPACED_UNIT.sub(JOINED + r"\1", text))
+    joined = PHRASES.sub(_joined, SPACED_UNIT.sub(_joined, text))
     return [word.replace(JOINED, " ") for word in re.split(r"[\s,;|&]+", joined)]
+
+
+def _joined(match: re.Match[str]) -> str:
+    return match[0].replace(" ", JOINED).replace("\t", JOINED)
 
 
 def fitting(headers: Sequence[tuple[str, ...]], width: int) -> tuple[str, ...]:

@@ -8,13 +8,11 @@ import numpy as np
 
 from pendula.check._explain import Explanation, Search
 from pendula.check._finding import ERROR, REMARK, Finding, Value, error, remark
-from pendula.check._predict import (
-    AS_ASKED,
-)
+from pendula.check._predict import AS_ASKED
 from pendula.check._program import RIGHT, Problem, Start, analysis, taken
 from pendula.check._sinusoid import UNKNOWN, of_sinusoid
 from pendula.check._states import explained, told
-from pendula.check._table import WORDS, Column, Columns, columns_at, placements, roles_of
+from pendula.check._table import STATE, WORDS, Column, Columns, columns_at, placements, roles_of
 from pendula.check._view import Deviation, View, deviations, first_wrong, has_same_states, view_of
 from pendula.check._wrapping import of_wrapping
 
@@ -60,7 +58,7 @@ def _judged(problem: Problem, table: Table) -> Judgement:
             found.append((name, columns))
     if not found:
         is_told = any(finding.name in ("no_time", "cartesian") for finding in findings)
-        return Judgement(findings if is_told else [*findings, error("columns", found=table.values.shape[1])], {})
+        return Judgement(findings if is_told else [*findings, _without_states(table)], {})
     # As the header says or, where only that makes the states right, in another order.
     is_twice = len(table.values) > 2 and np.array_equal(table.values[0], table.values[1])
     if is_twice:
@@ -157,6 +155,14 @@ def _of_rows(table: Table, columns: Columns) -> list[Finding]:
     if columns.digits < FEW_DIGITS and np.ptp(columns.theta.values) > 0:
         findings.append(remark("few_digits", digits=columns.digits))
     return findings
+
+
+def _without_states(table: Table) -> Finding:
+    """What there is to say of a table in which no row has a time and a state."""
+    whole = np.setdiff1d(table.lines, table.ragged)
+    if table.values.shape[1] < len(STATE) or not whole.size:
+        return error("columns", found=table.values.shape[1])
+    return error("not_numbers", line=int(whole[0]), count=int(whole.size))
 
 
 # States.

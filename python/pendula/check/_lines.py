@@ -81,6 +81,10 @@ WORD = re.compile(r"[^\W0-9][\w'\u2032\u2019\u0307]*+")
 # What stands for a space, a minus sign, a comma, or nothing at all.
 SPELLINGS = (
     ("\N{MINUS SIGN}", "-"),
+    ("\N{EN DASH}", "-"),
+    ("\N{BOX DRAWINGS LIGHT VERTICAL}", "|"),
+    ("\N{BOX DRAWINGS HEAVY VERTICAL}", "|"),
+    ("\N{BOX DRAWINGS DOUBLE VERTICAL}", "|"),
     ("\N{NO-BREAK SPACE}", " "),
     ("\N{ZERO WIDTH NO-BREAK SPACE}", ""),
     ("\0", ""),

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import base64
+import errno
 import os
 import re
+import sys
 from html import escape
 from pathlib import Path
 from textwrap import dedent
@@ -13,7 +15,7 @@ from typing import TYPE_CHECKING
 from pendula._command import BAD_USAGE, NOT_WRITTEN, RefusedError, Text, say
 from pendula.check import _pages
 from pendula.check._finding import ERROR
-from pendula.check._report import column_lines, count_line, finding_lines, reason, titles
+from pendula.check._report import column_lines, count_line, finding_lines, reason, shown, titles
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
@@ -31,6 +33,7 @@ TEXTS: dict[str, Text] = {
         "{0!r} is there and is no summary; give the name of a new file",
         "{0!r} ya existe y no es un resumen; da el nombre de un fichero nuevo",
     ),
+    "no reader": ("{0!r} is a pipe that nobody reads", "{0!r} es una tubería que nadie lee"),
     "not written": ("{0!r} could not be written: {1}", "no se ha podido escribir {0!r}: {1}"),
     "class": ("The class", "La clase"),
     "student": ("student", "estudiante"),
@@ -72,7 +75,8 @@ def prepare(folder: str) -> None:
     path = Path(folder)
     try:
         path.mkdir(parents=True, exist_ok=True)
-        entries = sorted(path.iterdir())
+        # Hidden ones are of the system, or what an interrupted run has left; no page has such a name.
+        entries = sorted(each for each in path.iterdir() if not each.name.startswith("."))
         foreign = next((each.name for each in entries if each.is_symlink() or not _begins(each, MADE_HERE.encode())), None)
     except OSError as error:
         raise RefusedError(NOT_WRITTEN, TEXTS["not written"], folder, error.strerror) from error
@@ -81,9 +85,10 @@ def prepare(folder: str) -> None:
 
 
 def require_summary(path: str, head: bytes) -> None:
-    """Refuses to write over a file that is not what was written before: the name may be that of a student's file."""
+    """Refuses a folder, and a file that is not what was written before: the name may be that of a student's file."""
     try:
-        foreign = Path(path).is_file() and Path(path).stat().st_size > 0 and not _begins(Path(path), head)
+        is_other = Path(path).is_file() and Path(path).stat().st_size > 0 and not _begins(Path(path), head)
+        foreign = is_other or Path(path).is_dir()
     except OSError as error:
         raise RefusedError(NOT_WRITTEN, TEXTS["not written"], path, error.strerror) from error
     if foreign:
@@ -101,7 +106,8 @@ def write_pages(folder: str, students: Sequence[Student], terms: Terms) -> None:
     """The class's page last: where it is, all are."""
     names = page_names([student.name for student in students])
     for student, name in zip(students, names, strict=True):
-        write_file(Path(folder) / name, student_page(student, terms).encode(errors="backslashreplace"))
+        # Names are UTF-8, as the links to them are, whatever the locale says.
+        write_file(Path(folder) / os.fsdecode(name.encode()), student_page(student, terms).encode(errors="backslashreplace"))
     write_file(Path(folder) / "index.html", class_page(students, names, terms).encode(errors="backslashreplace"))
 
 
@@ -109,7 +115,7 @@ def write_file(path: Path, data: bytes) -> None:
     """Writes a file whole or not at all: under another name first. What is no regular file is written as it is."""
     try:
         if path.exists() and not path.is_file():  # a device or a pipe
-            path.write_bytes(data)
+            _write_to_device(path, data)
             return
         target = path.resolve()  # a link stays a link
         temporary = target.with_name(f".{os.getpid()}.tmp")
@@ -123,7 +129,20 @@ def write_file(path: Path, data: bytes) -> None:
         return
     except (OSError, RuntimeError) as error:  # links in a circle
         why = error.strerror if isinstance(error, OSError) else error
+        if isinstance(error, OSError) and error.errno == errno.ENXIO:
+            raise RefusedError(NOT_WRITTEN, TEXTS["no reader"], str(path)) from error
         raise RefusedError(NOT_WRITTEN, TEXTS["not written"], str(path), why) from error
+
+
+def _write_to_device(path: Path, data: bytes) -> None:
+    """Does not wait for somebody who would read a pipe."""
+    if sys.platform == "win32":  # has no pipes among its files
+        path.write_bytes(data)
+        return
+    # Opened like this, a pipe that nobody reads is an error.
+    with open(path, "wb", opener=lambda name, flags: os.open(name, flags | os.O_NONBLOCK)) as file:
+        os.set_blocking(file.fileno(), True)
+        file.write(data)
 
 
 def page_names(names: Iterable[str]) -> list[str]:
@@ -156,10 +175,10 @@ def student_page(student: Student, terms: Terms) -> str:
     def text(name: str) -> str:
         return say(TEXTS[name], terms.lang)
 
-    head = [f"<h1>{escape(student.name)}</h1>"]
+    head = [f"<h1>{escape(shown(student.name))}</h1>"]
     if student.unreadable:
         head.append(f'<p class="unreadable">{escape(reason(student, terms.lang))}</p>')
-        return _document(student.name, "\n".join(head), terms)
+        return _document(shown(student.name), "\n".join(head), terms)
     summary = terms.line("summary", student.right, len(student.marks))
     if terms.tells_points:
         points = terms.line("points", terms.scale.of_student(student, terms.strict), terms.scale.points)
@@ -170,7 +189,7 @@ def student_page(student: Student, terms: Terms) -> str:
     names = dict.fromkeys(each.name for finding in every for each in (finding, *finding.alternatives))
     if names:
         body += [f"<h2>{escape(text('meaning'))}</h2>", *(_explained(name, terms.lang) for name in names)]
-    return _document(student.name, "\n".join(body), terms)
+    return _document(shown(student.name), "\n".join(body), terms)
 
 
 def _mark(mark: Mark, terms: Terms) -> str:
@@ -216,7 +235,7 @@ def class_page(students: Sequence[Student], names: Sequence[str], terms: Terms) 
     heads += [*([text("points")] if terms.tells_points else []), text("findings")]
     rows = []
     for student, name in zip(students, names, strict=True):
-        cells = [f'<a href="{escape(name)}">{escape(student.name)}</a>']
+        cells = [f'<a href="{escape(name)}">{escape(shown(student.name))}</a>']
         signs = ("✓" if mark.is_right else "✗" for mark in student.marks)
         cells += [*signs] if student.marks else ["–"] * problems
         cells += [f'<span class="{("right", "wrong", "unreadable")[student.status]}">{escape(terms.verdict(student))}</span>']

@@ -19,6 +19,9 @@ if TYPE_CHECKING:
 Value: TypeAlias = float | int | str
 
 WIDTH = 80
+ENOUGH = 6  # digits of a number in a sentence
+MOST_DIGITS = 17  # that tell any two doubles apart
+DIGITS_OF_PI = 10  # the student has typed them, however many the table has
 INDENT = "    "  # what lines of code begin with
 
 TEXTS: dict[str, Text] = {
@@ -81,10 +84,14 @@ def _pages(lang: str) -> dict[str, Page]:
 
 
 def say(name: str, lang: str, values: Mapping[str, Value], digits: int) -> str:
-    """A finding in words; its floats have so many significant digits."""
-    shown: dict[str, Value] = {
-        key: f"{value:.{digits}g}" if isinstance(value, float) else value for key, value in values.items()
-    }
+    """A finding in words; its floats have so many significant digits, or ENOUGH, and more where two would look the same."""
+    floats = {key: value for key, value in values.items() if isinstance(value, float)}
+    several = range(min(digits, ENOUGH), MOST_DIGITS + 1)
+    texts = ({key: f"{value:.{each}g}" for key, value in floats.items()} for each in several)
+    told = next((each for each in texts if len({*each.values()}) == len({*floats.values()})), {})
+    shown: dict[str, Value] = {**values, **told}
+    if "pi" in floats:
+        shown["pi"] = f"{floats['pi']:.{DIGITS_OF_PI}g}"
     if "energy" in shown:
         shown["energy"] = _command.say(ENERGY[shown["energy"]], lang)
     if "order" in shown:

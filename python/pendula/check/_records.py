@@ -110,7 +110,7 @@ def _unfold(run: Run) -> None:
     run.is_folded = len(rows) < len(run.rows)
     run.rows = rows
     sizes = [line.size for line in run.rows]
-    if not sizes or min(sizes) == max(sizes) > 2:
+    if not sizes or min(sizes) == max(sizes) > 2 or _rises_each(run.rows):
         return
     headers = sorted(run.headers, key=lambda header: (-len(roles_of(header)), len(header)))
     widths = [len(header) for header in headers if len(header) >= 3]
@@ -185,6 +185,11 @@ def _end_of_period(sizes: Sequence[int], start: int, lines: int) -> int:
     while sizes[end : end + lines] == pattern:
         end += lines
     return end
+
+
+def _rises_each(rows: Sequence[Line]) -> bool:
+    """Whether the first number, which is then the time, grows from line to line."""
+    return len(rows) > LONGEST_FOLD and all(one < other for one, other in pairwise(time_of(line, 0) for line in rows))
 
 
 def _rises_only_each(rows: Sequence[Line], lines: int) -> bool:

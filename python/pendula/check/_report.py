@@ -6,6 +6,7 @@ import csv
 import io
 import json
 import math
+import unicodedata
 from typing import TYPE_CHECKING, NamedTuple, TypeAlias
 
 from pendula._command import DONE, say
@@ -25,7 +26,8 @@ Json: TypeAlias = "Mapping[str, Json] | Sequence[Json] | float | str | None"
 
 MOST_TITLES = 3  # on a student's line
 MOST_ALIGNED = 32  # letters of a name; longer ones push their own lines only
-MOST_DIGITS = 17  # that tell any two doubles apart
+SURE_DIGITS = 15  # more would show how the last bits were rounded
+FORMULAS = ("=", "+", "-", "@")  # what they begin with in spreadsheets
 
 TEXTS: dict[str, Text] = {
     "table": ("Table {0}", "Tabla {0}"),
@@ -72,11 +74,11 @@ class Terms(NamedTuple):
         text = _pages.say(finding.name, self.lang, finding.values, digits)
         for each in finding.alternatives:
             text += self.line("or", _pages.say(each.name, self.lang, each.values, digits))
-        return text + (self._place(finding.where, digits) if finding.where else "")
+        return shown(text + (self._place(finding.where, digits) if finding.where else ""))
 
     def _place(self, where: Where, digits: int) -> str:
         # As many digits as the table has, and more where these do not show the difference.
-        several = range(max(digits, 1), MOST_DIGITS + 1)
+        several = range(min(max(digits, 1), SURE_DIGITS), _pages.MOST_DIGITS + 1)
         digits = next((each for each in several if f"{where.value:.{each}g}" != f"{where.wanted:.{each}g}"), digits)
         t, value, wanted = (f"{each:.{digits}g}" for each in (where.t, where.value, where.wanted))
         return self.line("where", where.line, t, where.column, value, wanted)
@@ -92,8 +94,12 @@ def status(students: Sequence[Student]) -> int:
 
 
 def shown(text: str) -> str:
-    """A name without what a terminal would obey."""
-    return "".join(letter if letter.isprintable() else "\N{REPLACEMENT CHARACTER}" for letter in text)
+    """Words of others without what a terminal or a page would obey: controls, and marks that turn the direction of text."""
+    return "".join(letter if _is_harmless(letter) else "\N{REPLACEMENT CHARACTER}" for letter in text)
+
+
+def _is_harmless(letter: str) -> bool:
+    return letter.isprintable() or unicodedata.category(letter) == "Zs"  # spaces of other widths
 
 
 # For people.
@@ -157,7 +163,7 @@ def count_line(students: Sequence[Student], terms: Terms) -> str:
 def titles(student: Student, terms: Terms) -> str:
     """The first findings in a few words, mistakes before remarks, with the problems that they are found in."""
     if student.unreadable:
-        return shown(reason(student, terms.lang))
+        return reason(student, terms.lang)
     found: dict[str, list[int]] = {}
     every = [(finding, mark.problem) for mark in student.marks for finding in mark.findings]
     every += [(finding, 0) for finding in student.findings]
@@ -172,7 +178,7 @@ def titles(student: Student, terms: Terms) -> str:
 
 def reason(student: Student, lang: str) -> str:
     """Why a file is unreadable."""
-    return say(student.unreadable.text, lang, *student.unreadable.values) if student.unreadable else ""
+    return shown(say(student.unreadable.text, lang, *student.unreadable.values)) if student.unreadable else ""
 
 
 # For spreadsheets.
@@ -183,26 +189,35 @@ COLUMNS = ("student", "problem", "verdict", "findings", "line", "points")
 def as_csv(students: Sequence[Student], terms: Terms) -> bytes:
     """A row for each problem of each student, in UTF-8 with a mark, without which some spreadsheets take it for Latin-1."""
     text = io.StringIO(newline="")
-    table = csv.writer(text)
+    # Words are quoted, for some spreadsheets separate at a semicolon, which a name may hold.
+    table = csv.writer(text, quoting=csv.QUOTE_NONNUMERIC)
     table.writerow(COLUMNS)
     for student in students:
         name = _harmless(student.name)
         if student.unreadable:
             table.writerow((name, "", "unreadable", student.unreadable.name.replace(" ", "_"), "", 0))
         for mark in student.marks:
-            points = f"{terms.scale.of_mark(student, mark, terms.strict):.6g}"
+            points = _plain(terms.scale.of_mark(student, mark, terms.strict))
             names = " ".join(finding.name for finding in mark.findings)
             line = min((finding.where.line for finding in mark.findings if finding.where), default="")
             table.writerow((name, mark.problem, "right" if mark.is_right else "wrong", names, line, points))
         for finding in student.findings:
             cost = terms.scale.findings.get(finding.name, 0.0)
-            table.writerow((name, "", "wrong", finding.name, finding.values.get("line", ""), f"{-cost:.6g}"))
+            table.writerow((name, "", "wrong", finding.name, finding.values.get("line", ""), _plain(-cost)))
     return text.getvalue().encode("utf-8-sig", errors="backslashreplace")
+
+
+def _plain(points: float) -> float:
+    """Points with six digits, and no fraction where they are whole."""
+    rounded = float(f"{points:.6g}")
+    return int(rounded) if rounded.is_integer() else rounded
 
 
 def _harmless(name: str) -> str:
     """A name that no spreadsheet takes for a formula."""
-    return f"'{name}" if name.startswith(("=", "+", "-", "@", "\t", "\r")) else name
+    name = shown(name)
+    first = unicodedata.normalize("NFKC", name.lstrip()[:1])  # wide signs are signs, too
+    return f"'{name}" if first in FORMULAS else name
 
 
 # For autograders. Names of findings stay as they are, whatever the language of the messages.
@@ -227,7 +242,9 @@ def as_json_lines(students: Sequence[Student], terms: Terms) -> str:
 
 
 def _dumped(report: Json, indent: int | None) -> str:
-    return json.dumps(report, ensure_ascii=False, indent=indent, allow_nan=False) + "\n"
+    text = json.dumps(report, ensure_ascii=False, indent=indent, allow_nan=False)
+    # What is not shown is escaped; line ends are those of the document, for those of names are escaped already.
+    return "".join(each if _is_harmless(each) or each == "\n" else json.dumps(each)[1:-1] for each in text) + "\n"
 
 
 def _finite(value: float | int | str) -> float | int | str | None:

@@ -72,7 +72,7 @@ def _read(path: str) -> dict[str, Any]:
             text = file.read(MOST_BYTES + 1)
             if len(text) > MOST_BYTES:
                 raise ValueError(f"> {MOST_BYTES} bytes")
-            given = tomllib.loads(text.decode())
+            given = tomllib.loads(text.decode("utf-8-sig"))
         except (ValueError, RecursionError) as error:  # not TOML, not UTF-8, or too deep
             raise RefusedError(BAD_USAGE, TEXTS["not toml"], path, error) from None
     costs = given.get("findings", {})

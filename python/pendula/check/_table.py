@@ -35,6 +35,7 @@ if TYPE_CHECKING:
 
 __all__ = [
     "ROLES",
+    "STATE",
     "UNREADABLE",
     "WORDS",
     "Column",
@@ -74,7 +75,11 @@ class Table(NamedTuple):
 
 def read_file(path: str) -> list[Table]:
     """The tables of a file. Raises UnreadableError."""
-    return tables(*decoded(contents(path), path))
+    data = contents(path)
+    try:
+        return tables(*decoded(data, path))
+    except UnreadableError as error:
+        raise error.of(path) from None
 
 
 def tables(text: str, notes: tuple[Note, ...] = ()) -> list[Table]:
@@ -98,6 +103,7 @@ def tables(text: str, notes: tuple[Note, ...] = ()) -> list[Table]:
 
 JUDGED_BY = 200  # rows
 PLACE = attrgetter("place")
+LONGEST_SLIP = 3  # letters in the place of a first number; more are a word
 SHORT = 3  # rows; fewer may be numbers that a program prints before its table
 
 
@@ -111,6 +117,8 @@ def _parts_of(run: Run, before: list[Line]) -> list[tuple[list[Line], list[Line]
         following = parts[place + 1] if place + 1 < len(parts) else []
         while part and _is_preamble(part, following, run, has_tables=bool(kept)):
             others.append(part.pop(0))
+        if kept and _is_afterword(part, kept[-1]):
+            others.append(part.pop())
         if part:
             kept.append(part)
     others = sorted([*before, *others], key=PLACE)
@@ -167,6 +175,14 @@ def _is_preamble(part: Sequence[Line], following: Sequence[Line], run: Run, has_
     return whole and len(part) > SHORT and (time_of(first, 0) < 0 or time_of(first, 0) >= time_of(part[1], 0))
 
 
+def _is_afterword(part: Sequence[Line], table: Sequence[Line]) -> bool:
+    """Whether a row alone behind a table is none: k, θM and τ, or the like. A table may have one row, that of t = 0."""
+    if len(part) != 1 or time_of(part[0], 0) == 0:
+        return False
+    is_analysis = part[0].size == 3 and part[0].numbers.split()[0] in ("-1", "1")
+    return is_analysis or part[0].size != _width(table)
+
+
 def _table(run: Run, rows: list[Line], others: list[Line], notes: tuple[Note, ...], is_first: bool) -> Table:
     width = _width(rows)
     damaged = [line for line in others if _is_damaged(line, rows, width, run.header_lines)]
@@ -176,7 +192,8 @@ def _table(run: Run, rows: list[Line], others: list[Line], notes: tuple[Note, ..
     header = fitting(run.headers, width)
     if len(header) == width - 1 and role_of(header[0]) == "t" and _counts(cells.values[:, 0]):
         header = ("", *header)  # above the numbers of rows there is no word
-    extra = [line.place for line in others if line not in damaged]
+    # What stands above a table harms nobody.
+    extra = [line.place for line in others if line not in damaged and line.place >= rows[0].place]
     if is_first and _has_prompt(run.headers, header):
         extra += [line.place for line in run.header_lines]
     return Table(
@@ -196,7 +213,7 @@ def _is_damaged(line: Line, rows: Sequence[Line], width: int, header: Sequence[L
     is_inside = first < line.place < last
     if line.kind.name == ROW:
         return is_inside and line.size > 0
-    if line.size == 0 or line.kind.fields != width:
+    if line.size == 0 or line.kind.fields != width or len(line.kind.labels[0]) > LONGEST_SLIP:
         return False
     if line.size >= width - 1 >= 2 and (line.kind.is_led or line.size < width):
         return is_inside or line.place in (first - 1, last + 1) or (len(header) > 0 and header[0].place < line.place)
@@ -210,7 +227,7 @@ def _has_prompt(headers: Sequence[tuple[str, ...]], header: tuple[str, ...]) -> 
 
 
 def _counts(numbers: Floats) -> bool:
-    return len(numbers) > 1 and numbers[0] in (0, 1) and bool(np.all(np.diff(numbers) == 1))
+    return len(numbers) > 1 and float(numbers[0]).is_integer() and bool(np.all(np.diff(numbers) == 1))
 
 
 def _notes(run: Run, rows: Sequence[Line], header: tuple[str, ...], extra: Sequence[int], width: int) -> Iterator[Note]:
@@ -240,5 +257,5 @@ def _notes_on_header(header: tuple[str, ...], width: int) -> Iterator[Note]:
         yield "no_time", {}
     named = set(roles_of(header).values())
     extra = [word for place, word in enumerate(header) if word and place not in named and (roles[place] or "sine" in roles)]
-    if extra and set(STATE) <= set(roles):
+    if extra and set(STATE) <= set(roles) and len(header) <= width:
         yield "extra_columns", {"columns": " ".join(extra)}

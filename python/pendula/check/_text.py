@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import codecs
+import os
 import re
+import stat
 import sys
 from contextlib import contextmanager, nullcontext
-from pathlib import Path
+from select import select
 from typing import TYPE_CHECKING, BinaryIO, TypeAlias
 
 from pendula._command import BAD_USAGE, RefusedError, Text
@@ -29,7 +31,9 @@ MOST_COLUMNS = 64
 MOST_TABLES = 1_000
 
 UNREADABLE: dict[str, Text] = {
-    "directory": ("{0!r} is a directory, no table", "{0!r} es un directorio, no una tabla"),
+    "directory": ("{0!r} is a folder, not a file", "{0!r} es una carpeta, no un fichero"),
+    "closed": ("standard input is closed", "la entrada estándar está cerrada"),
+    "no writer": ("nobody writes to {0!r}, which is no file", "nadie escribe en {0!r}, que no es un fichero"),
     "no file": ("{0!r} does not exist", "{0!r} no existe"),
     "no permission": ("{0!r} may not be read", "no hay permiso para leer {0!r}"),
     "not read": ("{0!r} could not be read: {1}", "no se ha podido leer {0!r}: {1}"),
@@ -49,7 +53,7 @@ UNREADABLE: dict[str, Text] = {
         "there is no table: no line of two numbers or more",
         "no hay ninguna tabla: ninguna línea de dos números o más",
     ),
-    "no problems": ("{0!r} holds no problem that could be read", "{0!r} no trae ningún problema que se pueda leer"),
+    "no problems": ("the problems of {0!r} could not be read", "no se han podido leer los problemas de {0!r}"),
 }
 
 
@@ -60,15 +64,56 @@ class UnreadableError(RefusedError):
         super().__init__(BAD_USAGE, UNREADABLE[name], *values)
         self.name = name
 
+    def of(self, path: str) -> UnreadableError:
+        """The same, said of a file by its name."""
+        if path in self.values:
+            return self
+        assert self.text is not None
+        named = UnreadableError(self.name, *self.values)
+        english, spanish = (f"{{{len(self.values)}!r}}: {text}" for text in self.text)
+        named.text, named.values = (english, spanish), (*self.values, path)
+        return named
+
 
 # Files.
+
+MOST_SECONDS = 2  # until somebody writes to a pipe or at a terminal
+
+
+def _opened(path: str, flags: int) -> int:
+    """Like os.open, but does not wait for somebody who would write to a pipe or at a terminal."""
+    descriptor = os.open(path, flags | os.O_NONBLOCK)
+    try:
+        if not stat.S_ISREG(os.fstat(descriptor).st_mode) and not _has_writer(descriptor):
+            raise UnreadableError("no writer", path)
+        os.set_blocking(descriptor, True)
+    except BaseException:
+        os.close(descriptor)
+        raise
+    return descriptor
+
+
+def _has_writer(descriptor: int) -> bool:
+    """Whether there is something to read, or somebody has the pipe open and may yet write."""
+    if select([descriptor], [], [], MOST_SECONDS)[0]:
+        return True
+    try:
+        os.read(descriptor, 1)
+    except BlockingIOError:
+        return stat.S_ISFIFO(os.fstat(descriptor).st_mode)
+    return False
+
+
+OPENER = None if sys.platform == "win32" else _opened  # Windows has no pipes among its files
 
 
 @contextmanager
 def opened(path: str) -> Iterator[BinaryIO]:
     """The file, or standard input for "-". Raises UnreadableError, also for what goes wrong while it is read."""
+    if path == "-" and sys.stdin is None:
+        raise UnreadableError("closed")
     try:
-        with nullcontext(sys.stdin.buffer) if path == "-" else Path(path).open("rb") as file:
+        with nullcontext(sys.stdin.buffer) if path == "-" else open(path, "rb", opener=OPENER) as file:
             yield file
     except FileNotFoundError:
         raise UnreadableError("no file", path) from None
@@ -76,7 +121,9 @@ def opened(path: str) -> Iterator[BinaryIO]:
         raise UnreadableError("directory", path) from None
     except PermissionError:
         raise UnreadableError("no permission", path) from None
-    except (OSError, ValueError) as error:
+    except OSError as error:
+        raise UnreadableError("not read", path, error.strerror) from None
+    except ValueError as error:  # a name with a zero byte
         raise UnreadableError("not read", path, error) from None
 
 

@@ -130,7 +130,7 @@ def _candidates(known: Sequence[tuple[Reading, list[Timing]]], columns: Columns,
                 continue
             is_there = _starts_there(reading.start, timing, columns, left)
             for each in _programs(reading, timing, left):
-                if is_there or each.program.steps_late or each.program.rows_late:
+                if is_there or each.program.starts_elsewhere:
                     yield each
 
 
@@ -165,12 +165,13 @@ def _programs(reading: Reading, timing: Timing, most: int) -> Iterator[Candidate
     yield Candidate(base, reading, timing, reading.mistakes)
     if most >= 1:
         for mistake in single:
-            if "pull" in mistake.changes and reading.mistakes:
-                continue  # it stands for the α that was read
+            if reading.mistakes and (mistake.is_rare or "pull" in mistake.changes):
+                continue  # a pull stands for the α that was read
             yield Candidate(mistake.of(base), reading, timing, (*reading.mistakes, mistake))
     if most >= 2:
-        for i, one in enumerate(single):
-            for other in single[i + 1 :]:
+        often = [mistake for mistake in single if not mistake.is_rare]
+        for i, one in enumerate(often):
+            for other in often[i + 1 :]:
                 if one.group != other.group and not ("pull" in one.changes and reading.mistakes):
                     yield Candidate(other.of(one.of(base)), reading, timing, (*reading.mistakes, one, other))
 

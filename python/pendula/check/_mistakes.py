@@ -29,6 +29,8 @@ class Mistake(NamedTuple):
     """Fields of Program."""
     values: Mapping[str, float | str] = MappingProxyType({})
     """What its page says beside."""
+    is_rare: bool = False
+    """Whether it is looked for only where nothing else is wrong with the states: pairs cost time."""
 
     def of(self, program: Program) -> Program:
         """The program with this mistake as well."""
@@ -112,10 +114,37 @@ def turned(stage: int) -> Stepper:
     return classical(velocity=velocity, omega_weights=[a * b for a, b in zip(SIMPSON, signs, strict=True)])
 
 
-SLOPES_LEFT_OUT = (
-    *((classical(weights=without(i)), STAGES[i], "θ, ω") for i in (0, 3)),
-    *((classical(weights=without(i), omega_weights=SIMPSON), STAGES[i], "θ") for i in range(4)),
-    *((classical(omega_weights=without(i)), STAGES[i], "ω") for i in range(4)),
+def with_sixth(stage: int) -> tuple[float, ...]:
+    """The weights of (3.10), but for one stage that has 1/6."""
+    return tuple(1 / 6 if i == stage else weight for i, weight in enumerate(SIMPSON))
+
+
+LINES = ("θ, ω", "θ", "ω")
+
+
+def weighted(name: str, weights: Sequence[float], lines: Sequence[str] = LINES, **values: str) -> tuple[Mistake, ...]:
+    """Other weights in the lines of both equations, or of one."""
+    made = {
+        "θ, ω": classical(weights=weights),
+        "θ": classical(weights=weights, omega_weights=SIMPSON),
+        "ω": classical(omega_weights=weights),
+    }
+    rows = (method(name, made[line], equation=line, **values) for line in lines)
+    return tuple(row._replace(is_rare=row.values["equation"] != LINES[0]) for row in rows)
+
+
+WEIGHTS = (
+    *(row for i in (0, 3) for row in weighted("slope_left_out", without(i), stage=STAGES[i])),
+    *(row for i in (1, 2) for row in weighted("slope_left_out", without(i), LINES[1:], stage=STAGES[i])),
+    *(row._replace(is_rare=True) for i in (1, 2) for row in weighted("weights_two_missing", with_sixth(i), stage=STAGES[i])),
+    *weighted("weights_equal", (0.25,) * 4),
+    *weighted("weights_unsorted", (1 / 6, 1 / 6, 1 / 3, 1 / 3)),
+    *weighted("weights_unsorted", (1 / 3, 1 / 6, 1 / 6, 1 / 3)),
+    *weighted("weights_unsorted", (1 / 3, 1 / 3, 1 / 6, 1 / 6)),
+    *(
+        method("weights_sum", classical(weights=[6 * weight / divisor for weight in SIMPSON]), sum=total)._replace(is_rare=True)
+        for divisor, total in ((3, "2"), (4, "1.5"), (1, "6"))
+    ),
 )
 
 STEPPERS = (
@@ -151,16 +180,10 @@ STEPPERS = (
     method("theta_before_omega", stepper(SEEING_BOTH, SIMPSON, velocity=SEEING_THEMSELVES, omega_weights=SECOND)),
     method("omega_before_theta", stepper(SEEING_THEMSELVES, SECOND, velocity=SEEING_SUM, omega_weights=SIMPSON)),
     method("omega_before_theta", stepper(SEEING_THEMSELVES, SECOND, velocity=SEEING_BOTH, omega_weights=SIMPSON)),
-    method("weights_unsorted", classical(weights=(1 / 6, 1 / 6, 1 / 3, 1 / 3))),
-    method("weights_unsorted", classical(weights=(1 / 3, 1 / 6, 1 / 6, 1 / 3))),
-    method("weights_unsorted", classical(weights=(1 / 3, 1 / 3, 1 / 6, 1 / 6))),
-    method("weights_sixth", classical(weights=(1 / 6,) * 4)),
+    *weighted("weights_sixth", (1 / 6,) * 4),
     method("weights_third_missing", classical(weights=(1 / 6, 1 / 3, 0, 1 / 6))),
     method("weights_third_missing", classical(weights=(1 / 6, 0, 1 / 3, 1 / 6))),
-    *(method("slope_left_out", made, stage=stage, equation=equation) for made, stage, equation in SLOPES_LEFT_OUT),
-    method("weights_equal", classical(weights=(0.25,) * 4)),
-    method("weights_unsorted", classical(weights=(1 / 6, 1 / 6, 1 / 3, 1 / 3), omega_weights=SIMPSON)),
-    method("weights_unsorted", classical(omega_weights=(1 / 6, 1 / 6, 1 / 3, 1 / 3))),
+    *WEIGHTS,
     *(method("wrong_sign_in_stage", turned(i), stage=STAGES[i]) for i in range(4)),
     method("own_index", OWN_INDEX),
     method("stages_accumulate", classical(angle=ACCUMULATING)),
@@ -185,6 +208,7 @@ EQUATIONS = (
     equation("sine_quintic", force="quintic"),
     *(equation("sine_of_degrees", {"factor": factor}, scale=factor) for factor in (1 / DEGREE, DEGREE)),
     *(equation("damping", {"beta": beta}, beta=beta) for beta in (0.1, 0.2, 0.5)),
+    equation("acceleration_printed", shows="acceleration"),  # of the sine; so it is no pair with another equation
 )
 
 
@@ -213,6 +237,8 @@ STARTS = (
     start("theta0_forgotten", theta0=(0, 0)),
     start("omega0_sign", omega0=(-1, -1)),
     start("theta0_sign", theta0=(-1, -1)),
+    start("theta0_integer", whole="theta0"),
+    start("omega0_integer", whole="omega0"),
     *(
         Mistake("rough_pi", "start", {"theta0": (1, pi / math.pi), "omega0": (1, pi / math.pi), "pi": used}, {"pi": pi})
         for pi in (3.14, 3.1415, 3.1416, 3.14159)
@@ -232,6 +258,7 @@ def stiffness(name: str, factor: float, power: float, **values: float) -> Mistak
 
 
 ALPHAS = (
+    Mistake("alpha_integer", "alpha", {"whole": "alpha"}),
     stiffness("alpha_root", 1, 0.5),
     stiffness("alpha_square", 1, 2),
     stiffness("alpha_inverse", 1, -1),
@@ -254,6 +281,12 @@ ROWS = (
     late("time_twice", pace=0.5),
     late("row_late", rows_late=1),
     late("row_early", rows_late=-1),
+    late("omega_behind", omega_late=-1),
+    late("omega_ahead", omega_late=1),
+    late("omega_ahead", omega_late=1, first_is_right=True),
+    late("theta_behind", theta_late=-1)._replace(is_rare=True),
+    late("theta_ahead", theta_late=1)._replace(is_rare=True),
+    late("theta_ahead", theta_late=1, first_is_right=True)._replace(is_rare=True),
 )
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from tempfile import TemporaryFile
 from typing import TYPE_CHECKING, Any, BinaryIO, NamedTuple, TypeAlias
@@ -149,6 +149,8 @@ class Program:
     omega0: tuple[float, float] = (1.0, 1.0)
     start: str = "given"
     """Or exchanged; or root: ω0 is √α; or single: all numbers are read in single precision."""
+    whole: str = ""
+    """theta0, omega0 or alpha: what is kept in a variable for whole numbers."""
     alpha: tuple[float, float] = (1.0, 1.0)
     """Factor, and power of the α given."""
     period: str = "right"
@@ -179,11 +181,21 @@ class Program:
     """Whether the step is the time between rows."""
     first_is_right: bool = False
     """Whether the first row is not late."""
+    theta_late: int = 0
+    """By how many steps the angle alone is later than the times printed."""
+    omega_late: int = 0
+    shows: str = "velocity"
+    """Or acceleration: what is printed in the velocity's column."""
     theta_factor: float = 1.0
     """Of the angle, as it is printed."""
     omega_factor: float = 1.0
     form: str = "signed"
     """Or absolute: |θ| is printed; or normalised: ω is wrapped like an angle."""
+
+    @property
+    def starts_elsewhere(self) -> bool:
+        """Whether the first row may be another one than the initial state."""
+        return any((self.steps_late, self.rows_late, self.theta_late, self.omega_late)) or self.shows != "velocity"
 
 
 RIGHT = Program()
@@ -195,6 +207,10 @@ def taken(program: Program, problem: Problem) -> Start:
     omega0 = problem.omega0 * program.omega0[problem.omega0_unit == "s"]
     factor, power = program.alpha
     alpha = factor * problem.alpha**power
+    theta0, omega0, alpha = (
+        float(math.trunc(each)) if name == program.whole and math.isfinite(each) else each
+        for name, each in (("theta0", theta0), ("omega0", omega0), ("alpha", alpha))
+    )
     if program.start == "exchanged":
         theta0, omega0 = omega0, theta0
     elif program.start == "single":
@@ -263,7 +279,21 @@ def paced(program: Program, clock: Clock) -> Clock:
 
 
 def replay(programs: Sequence[Program], clocks: Sequence[Clock], starts: Sequence[Start]) -> Motion:
-    """What the programs compute, each with its clock, from what it takes for the pendulum."""
+    """What the programs print, each with its clock, from what it takes for the pendulum."""
+    motion = _states(programs, clocks, starts)
+    for i, name in enumerate(("theta_late", "omega_late")):
+        apart = [j for j, program in enumerate(programs) if getattr(program, name)]
+        if apart:
+            late = [replace(programs[j], steps_late=programs[j].steps_late + getattr(programs[j], name)) for j in apart]
+            motion[i][apart] = _states(late, [clocks[j] for j in apart], [starts[j] for j in apart])[i]
+    for j, program in enumerate(programs):
+        if program.shows == "acceleration":
+            motion.omega[j] = -_terms(program, starts[j])[0] * np.sin(motion.theta[j])
+    return motion
+
+
+def _states(programs: Sequence[Program], clocks: Sequence[Clock], starts: Sequence[Start]) -> Motion:
+    """What the programs compute."""
     rows = max((clock.steps.size for clock in clocks), default=0)
     theta, omega = np.empty((2, len(programs), rows))
     sizes = np.array([program.stepper.theta.size for program in programs], int)

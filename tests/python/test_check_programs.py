@@ -36,6 +36,7 @@ ROWS = {
     *("last_row_lost", "last_row_won", "early_end", "late_end", "tau", "period_doubled", "period_halved"),
     "interval_of_run",
 }
+HIDDEN = {"interval_rounded", "regime-equality"}  # on all of these problems
 
 
 def tables(text):
@@ -59,7 +60,7 @@ def right(program):
     return tables(program("--precision", str(DIGITS), text=ALL))
 
 
-@pytest.mark.parametrize("name", [name for name in names() if not {*TEXT, "interval_rounded"} & {*findings(name)}])
+@pytest.mark.parametrize("name", [name for name in names() if name not in HIDDEN and not TEXT & {*findings(name)}])
 def test_a_program_makes_its_mistake(right, name):
     found = tables(run_program(name, ALL, DIGITS).decode())
     assert len(found) == len(PROBLEMS)

@@ -29,12 +29,13 @@ single_constants
 alpha_root, alpha_square, alpha_inverse, alpha_unused, alpha_integer, alpha_gravity alpha, alpha_product g, alpha_factor alpha given
 # period
 period_doubled, period_halved, period_without_half, period_a formula, period_first_term, period_small, period_modulus r, theta_max formula,
-period_alpha factor, series_cut relative, series_without_first, series_not_squared, logarithm_base_10,
+period_alpha factor, series_cut relative, series_other formula, series_without_first, series_not_squared, logarithm_base_10,
 limit_not_0999, limit_099, regime k, tau_off ratio, tau every spacing
 # stepper
 euler, euler_cromer, euler_theta_first, verlet, midpoint, heun, runge_kutta_3, single_precision, own_slopes,
 own_slopes_theta, own_slopes_omega, own_slopes_omega_first, own_slopes_h_missing, own_slopes_h_squared, own_index,
-h_missing_stages, h_missing_d, h_twice, half_kept_d, halves_forgotten, half_forgotten_b, half_forgotten_c,
+h_missing_stages, h_missing_d, h_twice, half_kept_d equation, halves_forgotten, half_forgotten_b equation, half_forgotten_c equation,
+half_of_sum equation, stage_repeated stage source equation,
 stages_accumulate, integer_half, theta_before_omega, omega_before_theta, misprint_two_theta, misprint_theta_c_alone, misprint_theta_n,
 weights_unsorted equation, weights_sixth equation, weights_two_missing stage equation, weights_equal equation,
 weights_sum sum, weights_third_missing,
@@ -52,8 +53,8 @@ times_off, uneven_rows row every, one_row expected, last_row_lost until, last_ro
 early_end last until rows expected, late_end last until rows expected, not_judged t, wrong_cell count,
 unexplained order energy
 # printing
-angle_in_degrees, velocity_in_degrees, not_normalised, wraps_one_side, wraps_fmod, wraps_zero_to_two_pi,
-wraps_closed_above, theta_absolute, theta_negated, omega_negated, acceleration_printed, omega_normalised
+angle_in_degrees, velocity_in_degrees, velocity_along g, not_normalised, wraps_one_side, wraps_fmod, wraps_zero_to_two_pi,
+wraps_closed_above, theta_absolute, theta_negated, omega_negated, acceleration_printed, omega_absolute, omega_normalised
 # sinusoid
 sine_missing, sine_too_many, sine_not_numbers line, sine_other_sign, sine_no_phase, sine_from_rest, sine_phase_outside, sine_quarter_turn,
 sine_initial_amplitude, sine_small_period, sine_harmonic, sine_double_period, sine_half_period, sine_rate rate,
@@ -81,7 +82,8 @@ SAMPLES: dict[str, Value] = {
     "formula": "arccos(cos θ0 + ω0²/(2α))",
     "rate": "ω0·t",
     "sum": "1.5",
-    "stage": "D",
+    "stage": "C/D",
+    "source": "A",
     "equation": "θ, ω",
     "order": 3,
     "energy": "kept",
@@ -275,6 +277,7 @@ NUMBERS = [
     ("weights_two_missing", round(100 * (math.sqrt(6 / 5) - 1), 1)),
     ("omega_behind", round(0.0001 * tau(QUARTER, 0), 4)),
     ("theta_behind", round(0.0001 * tau(QUARTER, 0) * math.sqrt(2), 3)),
+    ("series_other", 2 * math.pi * (1 + QUARTER**2 / 16)),
     ("linear", tau(0, 0)),
     ("sine_from_rest", 2 * math.asin(NEAR_TOP[1] / 2)),
     ("sine_harmonic", QUARTER * math.cos(SECOND_ROW)),

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from pendula.check._program import CLASSICAL, DEGREE, Program, Stepper, stepper
+from pendula.check._program import CLASSICAL, DEGREE, Program, Rows, Stepper, stepper
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -133,6 +133,21 @@ def weighted(name: str, weights: Sequence[float], lines: Sequence[str] = LINES, 
     return tuple(row._replace(is_rare=row.values["equation"] != LINES[0]) for row in rows)
 
 
+def of_one_line(name: str, angle: Rows) -> tuple[Mistake, ...]:
+    """What the stages see, in the lines of both equations or of one: the velocities' stages are seen in the angle's line."""
+    made = {"θ, ω": classical(angle=angle), "θ": classical(velocity=angle), "ω": classical(angle=angle, velocity=CLASSICAL)}
+    return tuple(method(name, each, equation=line)._replace(is_rare=line != LINES[0]) for line, each in made.items())
+
+
+def repeated(stage: str, source: str, angle: Rows) -> tuple[Mistake, ...]:
+    """A stage that sees what another one sees."""
+    rows = of_one_line("stage_repeated", angle)
+    return tuple(row._replace(values={**row.values, "stage": stage, "source": source}, is_rare=True) for row in rows)
+
+
+HALF, WHOLE = (1, 0.5, 0.5, 1), (1, 1, 1, 1)
+HALVED = ((HALF, HALF, "θ, ω"), (WHOLE, HALF, "θ"), (HALF, WHOLE, "ω"))
+
 WEIGHTS = (
     *(row for i in (0, 3) for row in weighted("slope_left_out", without(i), stage=STAGES[i])),
     *(row for i in (1, 2) for row in weighted("slope_left_out", without(i), LINES[1:], stage=STAGES[i])),
@@ -168,10 +183,16 @@ STEPPERS = (
     method("h_twice", classical(sum_power=2)),
     method("h_twice", classical(power=2, sum_power=2)),
     method("h_twice", classical(power=2)),
-    method("half_kept_d", classical(angle=((), (0.5,), (0, 0.5), (0, 0, 0.5)))),
+    *of_one_line("half_kept_d", ((), (0.5,), (0, 0.5), (0, 0, 0.5))),
     method("halves_forgotten", classical(angle=((), (1,), (0, 1), (0, 0, 1)))),
-    method("half_forgotten_b", classical(angle=((), (1,), (0, 0.5), (0, 0, 1)))),
-    method("half_forgotten_c", classical(angle=((), (0.5,), (0, 1), (0, 0, 1)))),
+    *of_one_line("half_forgotten_b", ((), (1,), (0, 0.5), (0, 0, 1))),
+    *of_one_line("half_forgotten_c", ((), (0.5,), (0, 1), (0, 0, 1))),
+    *repeated("C/D", "A", ((), (0.5,), (0.5, 0), (0, 0, 1))),
+    *repeated("D", "B", ((), (0.5,), (0, 0.5), (0, 1, 0))),
+    *(
+        method("half_of_sum", classical(theta=theta, omega=omega), equation=line)._replace(is_rare=True)
+        for theta, omega, line in HALVED
+    ),
     method("integer_half", classical(angle=((), (0,), (0, 0), (0, 0, 1)))),
     method("misprint_two_theta", classical(angle=WITHOUT_D, velocity=CLASSICAL, theta=(1, 1, 1, 2))),
     method("misprint_theta_c_alone", classical(theta=(1, 1, 1, 0))),
@@ -284,6 +305,11 @@ ROWS = (
     late("omega_behind", omega_late=-1),
     late("omega_ahead", omega_late=1),
     late("omega_ahead", omega_late=1, first_is_right=True),
+    Mistake("omega_absolute", "column", {"shows": "speed"}, is_rare=True),
+    *(
+        Mistake("velocity_along", "column", {"shows": "along", "gravity": g}, {"g": g}, is_rare=True)
+        for g in (9.8, 9.81, 9.80665, 10.0)
+    ),
     late("theta_behind", theta_late=-1)._replace(is_rare=True),
     late("theta_ahead", theta_late=1)._replace(is_rare=True),
     late("theta_ahead", theta_late=1, first_is_right=True)._replace(is_rare=True),

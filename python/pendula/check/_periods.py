@@ -162,6 +162,15 @@ WRONG_A: tuple[tuple[str, Callable[[Start], float]], ...] = (
 )
 
 BOTH, OSCILLATION, SEPARATRIX, ROTATION = (-1, 1), (-1,), (0,), (1,)
+
+# What programs take for the series (3.6).
+OTHER_SERIES: tuple[tuple[str, tuple[int, ...], Callable[[Start], float]], ...] = (
+    ("T0(1 + θM²/16)", OSCILLATION, lambda start: first_term(start) * (1 + analysis(start)[1] ** 2 / 16)),
+    ("T0(1 + θ0²/16)", OSCILLATION, lambda start: first_term(start) * (1 + float(_core.wrap(start.theta0)) ** 2 / 16)),
+    ("T0(2 + a1 + a2 + …)", BOTH, lambda start: first_term(start) + analysis(start)[2]),
+    ("T0(1 + r² + r⁴ + …)", BOTH, lambda start: first_term(start) / (1 - _modulus(start) ** 2)),
+    ("√(2π/α)(1 + a1 + a2 + …)", OSCILLATION, lambda start: analysis(start)[2] / math.sqrt(2 * math.pi)),
+)
 MISTAKES = (
     row("period_first_term", BOTH, lambda start: first_term(start)),
     row("period_small", BOTH, lambda start: small_period(start)),
@@ -177,6 +186,7 @@ MISTAKES = (
     row("period_modulus", ROTATION, _of_r(lambda start: start.alpha / half_velocity(start)), r="α/A"),
     row("period_modulus", ROTATION, _of_r(lambda start: math.sqrt(start.alpha) / _at_bottom(start)), r="√α/(2A)"),
     row("series_without_first", BOTH, lambda start: analysis(start)[2] - first_term(start)),
+    *(row("series_other", regimes, tau, formula=formula) for formula, regimes, tau in OTHER_SERIES),
     row("series_not_squared", BOTH, lambda start: first_term(start) / math.sqrt(1 - _modulus(start))),
     row("period_alpha", (-1, 0, 1), lambda start: analysis(start)[2] * math.sqrt(start.alpha), factor="√α"),
     row("period_alpha", BOTH, lambda start: analysis(start)[2] / math.sqrt(start.alpha), factor="1/√α"),

@@ -110,18 +110,19 @@ def stepper(
     own_angle: Rows = (),
     own_velocity: Rows = (),
     theta: Sequence[float] = (),
+    omega: Sequence[float] = (),
     power: float | Sequence[float] = 1,
     sum_power: float = 1,
 ) -> Stepper:
     """A stepper whose velocities see the accelerations as its angles see the velocities, unless other weights are given."""
     stages = max(len(angle), len(weights), len(omega_weights or ()))
     matrices = [_square(each, stages) for each in (angle, own_angle, angle if velocity is None else velocity, own_velocity)]
-    parts = np.append(np.array(theta, float), np.ones(stages - len(theta)))
+    parts, faster_parts = (np.append(np.array(each, float), np.ones(stages - len(each))) for each in (theta, omega))
     sums = [_padded(each, stages) for each in (weights, weights if omega_weights is None else omega_weights)]
     time = np.clip(np.maximum(matrices[0].sum(axis=1), matrices[2].sum(axis=1)), 0, 1)
     powers = np.broadcast_to(np.array(power, float), stages)
     seen, own_seen, faster, own_faster = matrices
-    return Stepper(parts, np.ones(stages), time, seen, own_seen, faster, own_faster, sums[0], sums[1], powers, sum_power)
+    return Stepper(parts, faster_parts, time, seen, own_seen, faster, own_faster, sums[0], sums[1], powers, sum_power)
 
 
 def _padded(row: Sequence[float], stages: int) -> Floats:
@@ -185,7 +186,9 @@ class Program:
     """By how many steps the angle alone is later than the times printed."""
     omega_late: int = 0
     shows: str = "velocity"
-    """Or acceleration: what is printed in the velocity's column."""
+    """Or acceleration, speed (|ω|) or along (l ω, with the length of `gravity`): what is printed in the velocity's column."""
+    gravity: float = 9.81
+    """[m/s²]"""
     theta_factor: float = 1.0
     """Of the angle, as it is printed."""
     omega_factor: float = 1.0
@@ -289,6 +292,10 @@ def replay(programs: Sequence[Program], clocks: Sequence[Clock], starts: Sequenc
     for j, program in enumerate(programs):
         if program.shows == "acceleration":
             motion.omega[j] = -_terms(program, starts[j])[0] * np.sin(motion.theta[j])
+        elif program.shows == "speed":
+            motion.omega[j] = np.abs(motion.omega[j])
+        elif program.shows == "along":
+            motion.omega[j] *= program.gravity / starts[j].alpha
     return motion
 
 

@@ -246,7 +246,10 @@ def of_sinusoid(
     right = right_sinusoid(start, timing.tau)
     if factor != 1 and not np.all(fits(right.at, start, rows, sine)):
         sine = sine.scaled(1 / factor)  # told with the angle
+    own = right_sinusoid(taken(RIGHT, problem), problem.tau) if problem.regime == -1 else right
     for times in bases:
+        if np.all(fits(own.at, start, times, sine, doubt)):
+            return []  # what is wrong with the motion came later
         if np.all(fits(right.at, start, times, sine, doubt)):
             outside = np.any(np.abs(sine.values) > np.pi + sine.units)
             return [error("sine_not_wrapped")] if outside else []

@@ -54,7 +54,7 @@ early_end last until rows expected, late_end last until rows expected, not_judge
 unexplained order energy
 # printing
 angle_in_degrees, velocity_in_degrees, velocity_along g, not_normalised, wraps_one_side, wraps_fmod, wraps_zero_to_two_pi,
-wraps_closed_above, theta_absolute, theta_negated, omega_negated, acceleration_printed, omega_absolute, omega_normalised
+wraps_closed_above, theta_absolute, theta_negated, omega_negated, acceleration_printed, omega_absolute, omega_difference over, omega_normalised
 # sinusoid
 sine_missing, sine_too_many, sine_not_numbers line, sine_other_sign, sine_no_phase, sine_from_rest, sine_phase_outside, sine_quarter_turn,
 sine_initial_amplitude, sine_small_period, sine_harmonic, sine_double_period, sine_half_period, sine_rate rate,
@@ -82,6 +82,7 @@ SAMPLES: dict[str, Value] = {
     "formula": "arccos(cos θ0 + ω0²/(2α))",
     "rate": "ω0·t",
     "sum": "1.5",
+    "over": "t_cout",
     "stage": "C/D",
     "source": "A",
     "equation": "θ, ω",
@@ -276,6 +277,7 @@ NUMBERS = [
     ("weights_two_missing", round(100 * (6 / 5 - 1))),
     ("weights_two_missing", round(100 * (math.sqrt(6 / 5) - 1), 1)),
     ("omega_behind", round(0.0001 * tau(QUARTER, 0), 4)),
+    ("omega_difference", round(0.0001 * tau(QUARTER, 0) / 2, 4)),
     ("theta_behind", round(0.0001 * tau(QUARTER, 0) * math.sqrt(2), 3)),
     ("series_other", 2 * math.pi * (1 + QUARTER**2 / 16)),
     ("linear", tau(0, 0)),

@@ -306,6 +306,8 @@ ROWS = (
     late("omega_ahead", omega_late=1),
     late("omega_ahead", omega_late=1, first_is_right=True),
     Mistake("omega_absolute", "column", {"shows": "speed"}, is_rare=True),
+    Mistake("omega_difference", "column", {"shows": "step difference"}, {"over": "Δt"}, is_rare=True),
+    Mistake("omega_difference", "column", {"shows": "row difference"}, {"over": "t_cout"}, is_rare=True),
     *(
         Mistake("velocity_along", "column", {"shows": "along", "gravity": g}, {"g": g}, is_rare=True)
         for g in (9.8, 9.81, 9.80665, 10.0)

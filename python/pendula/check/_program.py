@@ -186,7 +186,8 @@ class Program:
     """By how many steps the angle alone is later than the times printed."""
     omega_late: int = 0
     shows: str = "velocity"
-    """Or acceleration, speed (|ω|) or along (l ω, with the length of `gravity`): what is printed in the velocity's column."""
+    """Or acceleration, speed (|ω|), along (l ω, with the length of `gravity`), or the angle's difference to the step or the row
+    before, by the time between them: what is printed in the velocity's column."""
     gravity: float = 9.81
     """[m/s²]"""
     theta_factor: float = 1.0
@@ -290,13 +291,26 @@ def replay(programs: Sequence[Program], clocks: Sequence[Clock], starts: Sequenc
             late = [replace(programs[j], steps_late=programs[j].steps_late + getattr(programs[j], name)) for j in apart]
             motion[i][apart] = _states(late, [clocks[j] for j in apart], [starts[j] for j in apart])[i]
     for j, program in enumerate(programs):
-        if program.shows == "acceleration":
-            motion.omega[j] = -_terms(program, starts[j])[0] * np.sin(motion.theta[j])
-        elif program.shows == "speed":
-            motion.omega[j] = np.abs(motion.omega[j])
-        elif program.shows == "along":
-            motion.omega[j] *= program.gravity / starts[j].alpha
+        if program.shows != "velocity":
+            motion.omega[j] = _shown(program, clocks[j], starts[j], motion.theta[j], motion.omega[j])
     return motion
+
+
+def _shown(program: Program, clock: Clock, start: Start, theta: Floats, omega: Floats) -> Floats:
+    """What a program prints in the velocity's column."""
+    shown = omega.copy()
+    if program.shows == "acceleration":
+        shown = -_terms(program, start)[0] * np.sin(theta)
+    elif program.shows == "speed":
+        shown = np.abs(omega)
+    elif program.shows == "along":
+        shown *= program.gravity / start.alpha
+    elif program.shows == "step difference":
+        before = _states([replace(program, steps_late=program.steps_late - 1)], [clock], [start]).theta[0]
+        shown[1:] = (theta - before)[1:] / clock.dt
+    elif program.shows == "row difference":
+        shown[1:] = np.diff(theta) / (np.maximum(np.diff(clock.steps), 1) * clock.dt)
+    return shown
 
 
 def _states(programs: Sequence[Program], clocks: Sequence[Clock], starts: Sequence[Start]) -> Motion:

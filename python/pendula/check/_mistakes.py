@@ -12,10 +12,33 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from pendula.check._program import CLASSICAL, DEGREE, Program, Rows, Stepper, stepper
+from pendula.check._program import DEGREE, Program
+from pendula.check._stepper import (
+    CLASSICAL,
+    EULER,
+    EULER_CROMER,
+    NONE,
+    OMEGA_FIRST_OWN,
+    OWN_INDEX,
+    SECOND,
+    SEEING_BOTH,
+    SEEING_SUM,
+    SEEING_THEMSELVES,
+    SIMPSON,
+    THETA_FIRST_OWN,
+    WITHOUT_D,
+    ZEROS,
+    classical,
+    stepper,
+    turned,
+    with_sixth,
+    without,
+)
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
+
+    from pendula.check._stepper import Rows, Stepper
 
 
 class Mistake(NamedTuple):
@@ -47,78 +70,9 @@ def method(name: str, made: Stepper, **values: str) -> Mistake:
     return Mistake(name, "stepper", {"stepper": made}, values)
 
 
-# Runge-Kutta (3.10) written wrongly. Rows are stages A to D, entries weights of the slopes of the stages before.
+# Runge-Kutta (3.10) written wrongly, and other methods.
 
-SIMPSON = (1 / 6, 1 / 3, 1 / 3, 1 / 6)
-NONE = ((), (), (), ())
-WITHOUT_D = ((), (0.5,), (0, 0.5), ())
-
-
-def classical(**changes: Any) -> Stepper:
-    """Runge-Kutta (3.10) but for these changes."""
-    return stepper(**{"angle": CLASSICAL, "weights": SIMPSON, **changes})
-
-
-def after(rows: Sequence[Sequence[float]], weights: Sequence[float]) -> list[list[float]]:
-    """Four more stages behind the first four, which see these rows of themselves and, before, the sum of the first four."""
-    return [[], [], [], [], *([*weights, *row] for row in rows)]
-
-
-ZEROS = (0.0,) * 4
-# The velocity is done with first, by slopes of its own, and the angle's slopes start from the new one; or the reverse.
-OMEGA_FIRST_OWN = stepper(
-    NONE,
-    (*ZEROS, *SIMPSON),
-    own_angle=CLASSICAL,
-    velocity=after(((), (), (), ()), SIMPSON),
-    own_velocity=after(CLASSICAL, ZEROS),
-    omega_weights=SIMPSON,
-)
-THETA_FIRST_OWN = stepper(
-    after(((), (), (), ()), SIMPSON),
-    SIMPSON,
-    own_angle=after(CLASSICAL, ZEROS),
-    velocity=(),
-    own_velocity=CLASSICAL,
-    omega_weights=(*ZEROS, *SIMPSON),
-)
-# All slopes are as in (3.10), but those of the second quantity are taken again where the first is already new.
-SEEING_SUM = [*CLASSICAL, *after(CLASSICAL, SIMPSON)[4:]]
-SEEING_THEMSELVES = [*CLASSICAL, *after(CLASSICAL, ZEROS)[4:]]
-SEEING_BOTH = [*CLASSICAL, *([*np.add(SIMPSON, (*row, *ZEROS)[:4])] for row in CLASSICAL)]
-SECOND = (*ZEROS, *SIMPSON)
-
-EULER = stepper(((),), (1,))
-EULER_CROMER = stepper(((), ()), (0, 1), velocity=((), (1,)), omega_weights=(1, 0))
-
-# Each stage of the velocity sees the angle's increment of its own stage, which is known already: seven evaluations.
-OWN_INDEX = stepper(
-    ((), (), (0, 0.5), (), (0, 0, 0, 0.5), (), (0, 0, 0, 0, 0, 1)),
-    (1 / 6, 1 / 3, 0, 1 / 3, 0, 1 / 6, 0),
-    velocity=((), (0.5,), (), (0, 0, 0.5), (), (0, 0, 0, 0, 1), ()),
-    omega_weights=(1 / 6, 0, 1 / 3, 0, 1 / 3, 0, 1 / 6),
-)
-ACCUMULATING = ((), (0.5,), (0.5, 0.5), (0.5, 0.5, 1))
 STAGES = "ABCD"
-
-
-def without(stage: int) -> tuple[float, ...]:
-    """The weights of (3.10) without that of one stage."""
-    return tuple(0.0 if i == stage else weight for i, weight in enumerate(SIMPSON))
-
-
-def turned(stage: int) -> Stepper:
-    """Runge-Kutta (3.10) with the acceleration of one stage turned round."""
-    signs = [-1.0 if i == stage else 1.0 for i in range(4)]
-    velocity = [[weight * signs[i] for i, weight in enumerate(row)] for row in CLASSICAL]
-    return classical(velocity=velocity, omega_weights=[a * b for a, b in zip(SIMPSON, signs, strict=True)])
-
-
-def with_sixth(stage: int) -> tuple[float, ...]:
-    """The weights of (3.10), but for one stage that has 1/6."""
-    return tuple(1 / 6 if i == stage else weight for i, weight in enumerate(SIMPSON))
-
-
 LINES = ("θ, ω", "θ", "ω")
 
 
@@ -147,6 +101,8 @@ def repeated(stage: str, source: str, angle: Rows) -> tuple[Mistake, ...]:
 
 HALF, WHOLE = (1, 0.5, 0.5, 1), (1, 1, 1, 1)
 HALVED = ((HALF, HALF, "θ, ω"), (WHOLE, HALF, "θ"), (HALF, WHOLE, "ω"))
+
+ACCUMULATING = ((), (0.5,), (0.5, 0.5), (0.5, 0.5, 1))
 
 WEIGHTS = (
     *(row for i in (0, 3) for row in weighted("slope_left_out", without(i), stage=STAGES[i])),

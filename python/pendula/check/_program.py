@@ -13,6 +13,7 @@ import numpy as np
 from pendula import _core
 from pendula._closed_form import analyze, exact
 from pendula._command import BAD_USAGE, RefusedError, Text, printed
+from pendula.check._stepper import RUNGE_KUTTA, Stepper
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -59,83 +60,6 @@ class Start(NamedTuple):
     theta0: float
     omega0: float
     alpha: float
-
-
-# Steppers.
-
-
-class Stepper(NamedTuple):
-    """An explicit method with stages: the angle, the velocity and the acceleration of each are
-
-        x = theta[s] θ + Σ_j h^power[s] (angle[s, j] v_j + own_angle[s, j] a_j)
-        v = omega[s] ω + Σ_j h^power[s] (velocity[s, j] a_j + own_velocity[s, j] v_j)
-        a = the acceleration at x, v and the time t + h time[s]
-
-    and the step adds h^sum_power Σ_j theta_sum[j] v_j to θ and h^sum_power Σ_j omega_sum[j] a_j to ω.
-    """
-
-    theta: Floats
-    omega: Floats
-    time: Floats
-    angle: Floats
-    own_angle: Floats
-    velocity: Floats
-    own_velocity: Floats
-    theta_sum: Floats
-    omega_sum: Floats
-    power: Floats
-    sum_power: float
-
-    def numbers(self, h: float) -> tuple[Floats, Floats]:
-        """The coefficients as `replay` takes them: [stage, 3 + 4 stages] and [angle or velocity, 2 stages]."""
-        with np.errstate(over="ignore", invalid="ignore"):
-            scale = np.power(h, self.power)[:, None]
-            matrices = [each * scale for each in (self.angle, self.own_angle, self.own_velocity, self.velocity)]
-            total = np.power(h, self.sum_power)
-        nothing = np.zeros_like(self.theta_sum)
-        parts = np.column_stack([self.theta, self.omega, self.time * h])
-        sums = [np.concatenate([self.theta_sum, nothing]), np.concatenate([nothing, self.omega_sum])]
-        return np.hstack([parts, *matrices]), np.stack(sums) * total
-
-
-Rows: TypeAlias = "Sequence[Sequence[float]]"
-
-
-def stepper(
-    angle: Rows,
-    weights: Sequence[float],
-    *,
-    velocity: Rows | None = None,
-    omega_weights: Sequence[float] | None = None,
-    own_angle: Rows = (),
-    own_velocity: Rows = (),
-    theta: Sequence[float] = (),
-    omega: Sequence[float] = (),
-    power: float | Sequence[float] = 1,
-    sum_power: float = 1,
-) -> Stepper:
-    """A stepper whose velocities see the accelerations as its angles see the velocities, unless other weights are given."""
-    stages = max(len(angle), len(weights), len(omega_weights or ()))
-    matrices = [_square(each, stages) for each in (angle, own_angle, angle if velocity is None else velocity, own_velocity)]
-    parts, faster_parts = (np.append(np.array(each, float), np.ones(stages - len(each))) for each in (theta, omega))
-    sums = [_padded(each, stages) for each in (weights, weights if omega_weights is None else omega_weights)]
-    time = np.clip(np.maximum(matrices[0].sum(axis=1), matrices[2].sum(axis=1)), 0, 1)
-    powers = np.broadcast_to(np.array(power, float), stages)
-    seen, own_seen, faster, own_faster = matrices
-    return Stepper(parts, faster_parts, time, seen, own_seen, faster, own_faster, sums[0], sums[1], powers, sum_power)
-
-
-def _padded(row: Sequence[float], stages: int) -> Floats:
-    return np.append(np.array(row, float), np.zeros(stages - len(row)))
-
-
-def _square(rows: Rows, stages: int) -> Floats:
-    filled = [_padded(row, stages) for row in rows] + [np.zeros(stages)] * (stages - len(rows))
-    return np.array(filled)
-
-
-CLASSICAL = ((), (0.5,), (0, 0.5), (0, 0, 1))
-RUNGE_KUTTA = stepper(CLASSICAL, (1 / 6, 1 / 3, 1 / 3, 1 / 6))
 
 
 # Programs.

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from itertools import product
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -246,23 +247,30 @@ def of_sinusoid(
     right = right_sinusoid(start, timing.tau)
     if factor != 1 and not np.all(fits(right.at, start, rows, sine)):
         sine = sine.scaled(1 / factor)  # told with the angle
+    # Or the problem's own: what is wrong with the motion may have come after it.
     own = right_sinusoid(taken(RIGHT, problem), problem.tau) if problem.regime == -1 else right
-    for times in bases:
-        if np.all(fits(own.at, start, times, sine, doubt)):
-            return []  # what is wrong with the motion came later
-        if np.all(fits(right.at, start, times, sine, doubt)):
+    for known, times in product((right, own), bases):
+        if np.all(fits(known.at, start, times, sine, doubt)):
             outside = np.any(np.abs(sine.values) > np.pi + sine.units)
             return [error("sine_not_wrapped")] if outside else []
     if is_rough:
         return []  # as inaccurate as the states
+    return _told(start, right, timing.clock, bases, columns._replace(sine=sine))
+
+
+def _told(start: Start, right: Sinusoid, clock: Clock, bases: Sequence[Column], columns: Columns) -> list[Finding]:
+    """What to say of a fourth column that is wrong."""
+    sine, rows = columns.sine, bases[0]
+    assert sine is not None
     if any(np.all(fits(lambda at: angle(start, at), start, times, sine)) for times in bases):
         mistakes, others = (Wrong("sine_is_the_angle", "all", lambda other: other, {}),), ()
     else:
-        mistakes, others = explained(start, right, timing.clock, bases, sine)
-    row = int(np.argmax(~fits(right.at, start, rows, sine)))
+        mistakes, others = explained(start, right, clock, bases, sine)
+    fit = fits(right.at, start, rows, sine)
+    row = int(np.argmax(~fit))
     wanted = float(right.at(rows.values)[row])
     where = Where(int(columns.lines[row]), float(columns.t.values[row]), WORDS[3], float(sine.values[row]), wanted)
-    few = int((~fits(right.at, start, rows, sine)).sum())
+    few = int((~fit).sum())
     if len(mistakes) != 1 and are_cells(few, sine.values.size):
         return [Finding("wrong_cell", {"count": few}, where=where)]
     if not mistakes:

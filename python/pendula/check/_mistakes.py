@@ -144,6 +144,7 @@ STEPPERS = (
     *of_one_line("half_forgotten_b", ((), (1,), (0, 0.5), (0, 0, 1))),
     *of_one_line("half_forgotten_c", ((), (0.5,), (0, 1), (0, 0, 1))),
     *repeated("C/D", "A", ((), (0.5,), (0.5, 0), (0, 0, 1))),
+    *repeated("C/D", "A", ((), (0.5,), (0, 0.5), (1, 0, 0))),
     *repeated("D", "B", ((), (0.5,), (0, 0.5), (0, 1, 0))),
     *(
         method("half_of_sum", classical(theta=theta, omega=omega), equation=line)._replace(is_rare=True)

@@ -1,84 +1,68 @@
-# Mistake: the first two terms of the series in the amplitude, from a textbook.
-"""Dictionaries and generators; the state is a complex number, angle + i velocity."""
-import cmath
-import itertools
+# Mistake: τ is T0 (1 + θM²/16), the beginning of another series, good for small angles only.
 import math
 import sys
 
-TURN = 2 * math.pi
+deg = math.pi / 180
+wrap = lambda x: (x + math.pi) % (2 * math.pi) - math.pi
+sign = lambda x: -1 if x < 0 else 1
 
 
-def normalised(theta):
-    return theta - TURN * ((theta + math.pi) // TURN)
+def integral(f, a, b, n):
+    """Midpoint rule, which converges very fast for a periodic function."""
+    h = (b - a) / n
+    return h * sum(f(a + (i + 0.5) * h) for i in range(n))
 
 
-def read(stream):
-    names = "fd fc fs theta0 ut omega0 uo alpha".split()
-    tokens = iter(stream.read().split())
-    for first in tokens:
-        values = dict(zip(names, [first, *itertools.islice(tokens, 7)]))
-        units = {"r": 1.0, "s": math.pi / 180}
-        theta0 = float(values["theta0"]) * units[values["ut"]]
-        omega0 = float(values["omega0"]) * units[values["uo"]]
-        yield {key: float(values[key]) for key in ("fd", "fc", "fs", "alpha")} | {"theta0": normalised(theta0), "omega0": omega0}
-
-
-def agm(a, b):
-    """The arithmetic-geometric mean; the series (3.6) is 1 / agm(1, sqrt(1 - r*r))."""
-    while abs(a - b) > 1e-15 * a:
-        a, b = (a + b) / 2, math.sqrt(a * b)
-    return a
-
-
-def analysis(p):
-    theta0, omega0, alpha = p["theta0"], p["omega0"], p["alpha"]
-    excess = omega0 * omega0 / (2 * alpha) - math.cos(theta0) - 1
-    if abs(excess) < 1e-9:
-        limit = -math.pi if omega0 < 0 else math.pi
-        ratio = math.tan(0.999 * limit / 4 + math.pi / 4) / math.tan(theta0 / 4 + math.pi / 4)
-        return {"k": 0, "limit": limit, "tau": abs(math.log(ratio)) / math.sqrt(alpha)}
-    if excess < 0:
-        limit = math.acos(-1 - excess)
-        tau = TURN / math.sqrt(alpha) * (1 + limit**2 / 16)
-    else:
-        limit = math.pi
-        A = math.sqrt(omega0**2 + 2 * alpha * (1 - math.cos(theta0))) / 2
-        tau = math.pi / agm(A, math.sqrt(A * A - alpha))
-    return {"k": 1 if excess > 0 else -1, "limit": limit, "tau": tau}
+def analysis(theta0, omega0, alpha):
+    m = omega0**2 / (4 * alpha) + math.sin(theta0 / 2) ** 2  # energy over 2mgl
+    if abs(m - 1) < 1e-9:
+        limit = sign(omega0) * math.pi
+        F = lambda x: math.log(math.tan(x / 4 + math.pi / 4)) / math.sqrt(alpha)
+        return 0, limit, abs(F(0.999 * limit) - F(theta0))
+    if m < 1:
+        limit = 2 * math.asin(math.sqrt(m))
+        return -1, limit, 2 * math.pi / math.sqrt(alpha) * (1 + limit**2 / 16)
+    half = integral(lambda u: 1 / math.sqrt(m - math.sin(u) ** 2), 0, math.pi / 2, 100000)
+    return 1, math.pi, 2 * half / math.sqrt(alpha)
 
 
 def phase(s, r):
     if abs(s) >= 1:
-        return math.copysign(math.pi / 2, s)
-    return cmath.phase(complex(math.copysign(math.sqrt(1 - s * s), r), s))
+        return sign(s) * math.pi / 2
+    return math.asin(s) if r >= 0 else math.pi - math.asin(s)
 
 
-def states(z, alpha, h):
-    """The state after no, one, two, ... steps."""
-    slope = lambda z: complex(z.imag, -alpha * math.sin(z.real))
-    while True:
-        yield z
-        a = slope(z)
-        b = slope(z + h / 2 * a)
-        c = slope(z + h / 2 * b)
-        d = slope(z + h * c)
-        z += h / 6 * (a + 2 * b + 2 * c + d)
+def step(f, y, h):
+    add = lambda c, k: [a + c * b for a, b in zip(y, k)]
+    k1 = f(y)
+    k2 = f(add(h / 2, k1))
+    k3 = f(add(h / 2, k2))
+    k4 = f(add(h, k3))
+    return [a + h / 6 * (p + 2 * q + 2 * r + s) for a, p, q, r, s in zip(y, k1, k2, k3, k4)]
 
 
-digits = int(sys.argv[1]) if len(sys.argv) > 1 else 6
-for number, p in enumerate(read(sys.stdin)):
-    p |= analysis(p)
-    phi = phase(p["theta0"] / p["limit"], p["omega0"])
-    every = round(p["fc"] / p["fd"])
-    rows = math.floor(p["fs"] / p["fc"] + 1e-9) + 1
-    dt = p["fc"] * p["tau"] / every
-    words = ["t", "angulo", "velocidad"] + ["funcionSinusoidal"] * (p["k"] == -1)
-    print("\n\n" if number else "", " ".join(words), sep="")
-    path = states(complex(p["theta0"], p["omega0"]), p["alpha"], dt)
-    for j, z in enumerate(itertools.islice(path, 0, (rows - 1) * every + 1, every)):
-        t = j * every * dt
-        row = {"t": t, "theta": normalised(z.real), "omega": z.imag}
-        if p["k"] == -1:
-            row["sine"] = p["limit"] * math.sin(TURN * t / p["tau"] + phi)
-        cells = [f"{value:.{digits}g}" for value in row.values()]
-        print(*cells)
+def table(dt, every, until, theta0, omega0, alpha):
+    k, limit, tau = analysis(theta0, omega0, alpha)
+    pendulum = lambda y: [y[1], -alpha * math.sin(y[0])]
+    phi = phase(theta0 / limit, omega0)
+    y, rows = [theta0, omega0], []
+    n = round(every / dt)
+    for j in range(int(until / every + 1e-9) + 1):
+        t = j * every * tau
+        rows.append([t, wrap(y[0]), y[1]] + ([limit * math.sin(2 * math.pi * t / tau + phi)] if k < 0 else []))
+        for _ in range(n):
+            y = step(pendulum, y, every * tau / n)
+    return ["t", "angulo", "velocidad", "funcionSinusoidal"][: len(rows[0])], rows
+
+
+digits = sys.argv[1] if len(sys.argv) > 1 else "6"
+tokens = sys.stdin.read().split()
+problems = [tokens[i : i + 8] for i in range(0, len(tokens), 8)]
+texts = []
+for dt, every, until, theta0, u, omega0, v, alpha in problems:
+    theta0 = wrap(float(theta0) * (deg if u == "s" else 1))
+    omega0 = float(omega0) * (deg if v == "s" else 1)
+    header, rows = table(float(dt), float(every), float(until), theta0, omega0, float(alpha))
+    lines = [" ".join(header)] + [" ".join(format(x, "." + digits + "g") for x in row) for row in rows]
+    texts.append("\n".join(lines) + "\n")
+print("\n\n".join(texts), end="")

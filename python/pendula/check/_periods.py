@@ -89,7 +89,7 @@ def wrong_limits(start: Start) -> Iterator[tuple[str, float]]:
     for formula, limit in LIMITS:
         try:
             yield formula, limit(start)
-        except ValueError:  # it is no cosine
+        except (ValueError, ArithmeticError):  # it is no cosine, or no double
             continue
 
 

@@ -92,7 +92,7 @@ def _moved(start: Start, steps: float) -> Start:
     """The initial state farther on by what roundings may be worth: in itself, and in its energy, which decides near the top."""
     theta0, omega0, alpha = start
     slope = np.array([alpha * np.sin(theta0), omega0 * np.sqrt(alpha)])  # of the energy, in θ and ω/√α
-    length = float(np.hypot(*slope))
+    length = np.hypot(*slope)  # a double of NumPy, whose square may be infinite
     gain = ENERGY * min(alpha, float(_core.energy(*start))) * np.sqrt(1.0 + steps)
     kick = gain * slope / length**2 if gain < length**2 else np.zeros(2)
     return Start(

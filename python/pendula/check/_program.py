@@ -134,7 +134,7 @@ def taken(program: Program, problem: Problem) -> Start:
     theta0 = problem.theta0 * program.theta0[problem.theta0_unit == "s"]
     omega0 = problem.omega0 * program.omega0[problem.omega0_unit == "s"]
     factor, power = program.alpha
-    alpha = factor * problem.alpha**power
+    alpha = float(factor * np.float64(problem.alpha) ** power)  # infinite, where it is no double
     theta0, omega0, alpha = (
         float(math.trunc(each)) if name == program.whole and math.isfinite(each) else each
         for name, each in (("theta0", theta0), ("omega0", omega0), ("alpha", alpha))

@@ -171,6 +171,8 @@ def explained(
     rows = wrong_sinusoids(start, right, clock)
     singles: list[tuple[Wrong, ...]] = [(row,) for row in rows]
     pairs = [(one, other) for i, one in enumerate(rows) for other in rows[i + 1 :] if _may_meet(one, other)]
+    if sine.values.size <= FIRST_ROWS:
+        pairs = []  # some pair prints any few numbers
     for tried in (singles, pairs):
         for column in times:
             found = [each for each in tried if _prints(each, start, right, column, sine)]

@@ -217,7 +217,8 @@ def _slack(start: Start, t: Floats, tau_doubt: float) -> Floats:
     theta_max = abs(theta_max)
     if not theta_max > TINY:
         return np.full_like(t, 1e-7 * theta_max)
-    delta = min(1.0, 4 * EPSILON / (theta_max * max(math.sin(theta_max), EPSILON)))
+    delta = 4 * EPSILON / (theta_max * max(math.sin(theta_max), EPSILON))
+    delta = min(1.0, delta + EPSILON * abs(start.theta0) / theta_max)  # an angle of many turns is wrapped with an error
     rough = tau_doubt if tau_doubt > UNKNOWN else ROUNDING  # constants that are off are so in the phase, too
     slack: Floats = theta_max * (rough + tau_doubt * 2 * np.pi * np.abs(t) / tau + delta + np.sqrt(2 * delta))
     return slack

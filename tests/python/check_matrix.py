@@ -44,6 +44,8 @@ BACKWARDS = "0.0002 0.02 3 1 r -4 r 1"
 SOFT = "0.0005 0.02 1 0 r 1.2 r 0.25"
 SEPARATRIX = "0.0001 0.02 1 0 r -2 r 1"
 STIFF_SEPARATRIX = "0.0002 0.02 1 0 r 4 r 4"
+ROUNDED_SEPARATRIX = "0.0002 0.02 1 0 r 2.8284271247461903 r 2"  # for doubles a little too fast
+SLOW_SEPARATRIX = "0.0002 0.02 1 90 s 4.4294469180700204 r 9.81"  # and too slow
 LONG_SEPARATRIX = "0.0005 0.05 8 0 r 2 r 1"
 UNEVEN = "0.0003 0.02 1 1 r 0.5 r 2"
 UNEVEN_TURNS = "0.0007 0.03 2 1 r 3.5 r 2"
@@ -88,22 +90,30 @@ ELSEWHERE = {
     "omega0_as_degrees": (START, SEPARATRIX),
     "omega0_degrees_inverted": (DEGREES, BOTH_IN_DEGREES),
     "omega0_in_degrees": (DEGREES, BOTH_IN_DEGREES),
+    "omega0_integer": (DEGREES, ROTATION),
     "omega_normalised": (WIDE, BACKWARDS),
     "own_index": (START, COARSE),
+    "period_a": (ROTATION, BACKWARDS),
+    "period_a-half_inside": (ROTATION, BACKWARDS),
     "period_doubled": (ROTATION, BACKWARDS),
     "period_small": (ROTATION, BACKWARDS),
     "period_without_half": (ROTATION, BACKWARDS),
     "regime": (ROTATION, NEAR),
+    "regime-equality": (ROUNDED_SEPARATRIX, SLOW_SEPARATRIX),
     "regime-no_alpha": (WIDE, SOFT),
     "rough_pi": (DEGREES, QUARTER),
     "runge_kutta_3": (START, COARSE),
     "sine_not_wrapped": (TURNED, TURNED_IN_DEGREES),
     "sine_too_many": (ROTATION, BACKWARDS),
+    "stage_repeated": (START, COARSE),
+    "stage_repeated-d": (START, COARSE),
     "step_is_interval": (START, ROTATION),
     "theta0_as_degrees": (START, COARSE),
     "theta0_degrees_inverted": (DEGREES, QUARTER),
     "theta0_in_degrees": (DEGREES, QUARTER),
     "theta0_in_degrees+euler": (DEGREES, QUARTER),
+    "theta0_integer": (QUARTER, BOTH_IN_DEGREES),
+    "velocity_along": (START, QUARTER),
     "verlet": (START, COARSE),
     "weights_equal": (START, COARSE),
     "wraps_closed_above": (UPRIGHT, UPRIGHT_BACKWARDS),

@@ -159,8 +159,9 @@ def _candidates(known: Sequence[tuple[Reading, list[Timing]]], columns: Columns,
             for count, printing in ((left - 1, 1), (left, 0)):
                 if not 0 <= count <= MOST_IN_STATES - printing - len(reading.mistakes):
                     continue
-                for program, mistakes in _programs(count):
-                    if (is_there or program.steps_late or program.rows_late) and not (program.pull and reading.mistakes):
+                for program, mistakes in _programs(count, count + len(reading.mistakes) > 1):
+                    # A pull stands for the α that was read.
+                    if (is_there or program.starts_elsewhere) and not (program.pull and reading.mistakes):
                         yield Candidate(program, reading, timing, (*reading.mistakes, *mistakes))
 
 
@@ -174,9 +175,9 @@ def _starts_there(start: Start, timing: Timing, columns: Columns, left: int) -> 
 
 
 @cache
-def _programs(count: int) -> list[tuple[Program, tuple[Mistake, ...]]]:
-    """Programs with so many mistakes in equation, stepper and rows, all from different groups."""
-    single = (*EQUATIONS, *STEPPERS, *ROWS)
+def _programs(count: int, are_usual: bool) -> list[tuple[Program, tuple[Mistake, ...]]]:
+    """Programs with so many mistakes in equation, stepper and rows, all from different groups; all of them, or no rare ones."""
+    single = [mistake for mistake in (*EQUATIONS, *STEPPERS, *ROWS) if not (are_usual and mistake.is_rare)]
     made = []
     for mistakes in combinations(single, count):
         if len({mistake.group for mistake in mistakes}) == count:

@@ -201,7 +201,10 @@ def _of_states(problem: Problem, view: View, found: list[Explanation] | Finding 
     findings = _misjudged(problem, start, columns, findings)
     findings += of_wrapping(columns.theta.scaled(1 / printing.theta_factor), prediction, printing.form, columns)
     if all(each.name != "regime" for each in findings):
-        findings += of_sinusoid(problem, start, timing, columns, is_rough, printing.theta_factor, doubt)
+        of_sine = of_sinusoid(problem, start, timing, columns, is_rough, printing.theta_factor, doubt)
+        # What explains the period and the sinusoid is told once.
+        names = {finding.name for finding in of_sine}
+        findings = [each for each in findings if names.isdisjoint(other.name for other in each.alternatives)] + of_sine
     return findings
 
 

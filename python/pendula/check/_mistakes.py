@@ -12,10 +12,33 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from pendula.check._program import CLASSICAL, DEGREE, Program, Stepper, stepper
+from pendula.check._program import DEGREE, Program
+from pendula.check._stepper import (
+    CLASSICAL,
+    EULER,
+    EULER_CROMER,
+    NONE,
+    OMEGA_FIRST_OWN,
+    OWN_INDEX,
+    SECOND,
+    SEEING_BOTH,
+    SEEING_SUM,
+    SEEING_THEMSELVES,
+    SIMPSON,
+    THETA_FIRST_OWN,
+    WITHOUT_D,
+    ZEROS,
+    classical,
+    stepper,
+    turned,
+    with_sixth,
+    without,
+)
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
+
+    from pendula.check._stepper import Rows, Stepper
 
 
 class Mistake(NamedTuple):
@@ -29,6 +52,8 @@ class Mistake(NamedTuple):
     """Fields of Program."""
     values: Mapping[str, float | str] = MappingProxyType({})
     """What its page says beside."""
+    is_rare: bool = False
+    """Whether it is looked for only where nothing else is wrong with the states: pairs cost time."""
 
     def of(self, program: Program) -> Program:
         """The program with this mistake as well."""
@@ -45,77 +70,52 @@ def method(name: str, made: Stepper, **values: str) -> Mistake:
     return Mistake(name, "stepper", {"stepper": made}, values)
 
 
-# Runge-Kutta (3.10) written wrongly. Rows are stages A to D, entries weights of the slopes of the stages before.
+# Runge-Kutta (3.10) written wrongly, and other methods.
 
-SIMPSON = (1 / 6, 1 / 3, 1 / 3, 1 / 6)
-NONE = ((), (), (), ())
-WITHOUT_D = ((), (0.5,), (0, 0.5), ())
-
-
-def classical(**changes: Any) -> Stepper:
-    """Runge-Kutta (3.10) but for these changes."""
-    return stepper(**{"angle": CLASSICAL, "weights": SIMPSON, **changes})
-
-
-def after(rows: Sequence[Sequence[float]], weights: Sequence[float]) -> list[list[float]]:
-    """Four more stages behind the first four, which see these rows of themselves and, before, the sum of the first four."""
-    return [[], [], [], [], *([*weights, *row] for row in rows)]
-
-
-ZEROS = (0.0,) * 4
-# The velocity is done with first, by slopes of its own, and the angle's slopes start from the new one; or the reverse.
-OMEGA_FIRST_OWN = stepper(
-    NONE,
-    (*ZEROS, *SIMPSON),
-    own_angle=CLASSICAL,
-    velocity=after(((), (), (), ()), SIMPSON),
-    own_velocity=after(CLASSICAL, ZEROS),
-    omega_weights=SIMPSON,
-)
-THETA_FIRST_OWN = stepper(
-    after(((), (), (), ()), SIMPSON),
-    SIMPSON,
-    own_angle=after(CLASSICAL, ZEROS),
-    velocity=(),
-    own_velocity=CLASSICAL,
-    omega_weights=(*ZEROS, *SIMPSON),
-)
-# All slopes are as in (3.10), but those of the second quantity are taken again where the first is already new.
-SEEING_SUM = [*CLASSICAL, *after(CLASSICAL, SIMPSON)[4:]]
-SEEING_THEMSELVES = [*CLASSICAL, *after(CLASSICAL, ZEROS)[4:]]
-SEEING_BOTH = [*CLASSICAL, *([*np.add(SIMPSON, (*row, *ZEROS)[:4])] for row in CLASSICAL)]
-SECOND = (*ZEROS, *SIMPSON)
-
-EULER = stepper(((),), (1,))
-EULER_CROMER = stepper(((), ()), (0, 1), velocity=((), (1,)), omega_weights=(1, 0))
-
-# Each stage of the velocity sees the angle's increment of its own stage, which is known already: seven evaluations.
-OWN_INDEX = stepper(
-    ((), (), (0, 0.5), (), (0, 0, 0, 0.5), (), (0, 0, 0, 0, 0, 1)),
-    (1 / 6, 1 / 3, 0, 1 / 3, 0, 1 / 6, 0),
-    velocity=((), (0.5,), (), (0, 0, 0.5), (), (0, 0, 0, 0, 1), ()),
-    omega_weights=(1 / 6, 0, 1 / 3, 0, 1 / 3, 0, 1 / 6),
-)
-ACCUMULATING = ((), (0.5,), (0.5, 0.5), (0.5, 0.5, 1))
 STAGES = "ABCD"
+LINES = ("θ, ω", "θ", "ω")
 
 
-def without(stage: int) -> tuple[float, ...]:
-    """The weights of (3.10) without that of one stage."""
-    return tuple(0.0 if i == stage else weight for i, weight in enumerate(SIMPSON))
+def weighted(name: str, weights: Sequence[float], lines: Sequence[str] = LINES, **values: str) -> tuple[Mistake, ...]:
+    """Other weights in the lines of both equations, or of one."""
+    made = {
+        "θ, ω": classical(weights=weights),
+        "θ": classical(weights=weights, omega_weights=SIMPSON),
+        "ω": classical(omega_weights=weights),
+    }
+    rows = (method(name, made[line], equation=line, **values) for line in lines)
+    return tuple(row._replace(is_rare=row.values["equation"] != LINES[0]) for row in rows)
 
 
-def turned(stage: int) -> Stepper:
-    """Runge-Kutta (3.10) with the acceleration of one stage turned round."""
-    signs = [-1.0 if i == stage else 1.0 for i in range(4)]
-    velocity = [[weight * signs[i] for i, weight in enumerate(row)] for row in CLASSICAL]
-    return classical(velocity=velocity, omega_weights=[a * b for a, b in zip(SIMPSON, signs, strict=True)])
+def of_one_line(name: str, angle: Rows) -> tuple[Mistake, ...]:
+    """What the stages see, in the lines of both equations or of one: the velocities' stages are seen in the angle's line."""
+    made = {"θ, ω": classical(angle=angle), "θ": classical(velocity=angle), "ω": classical(angle=angle, velocity=CLASSICAL)}
+    return tuple(method(name, each, equation=line)._replace(is_rare=line != LINES[0]) for line, each in made.items())
 
 
-SLOPES_LEFT_OUT = (
-    *((classical(weights=without(i)), STAGES[i], "θ, ω") for i in (0, 3)),
-    *((classical(weights=without(i), omega_weights=SIMPSON), STAGES[i], "θ") for i in range(4)),
-    *((classical(omega_weights=without(i)), STAGES[i], "ω") for i in range(4)),
+def repeated(stage: str, source: str, angle: Rows) -> tuple[Mistake, ...]:
+    """A stage that sees what another one sees."""
+    rows = of_one_line("stage_repeated", angle)
+    return tuple(row._replace(values={**row.values, "stage": stage, "source": source}, is_rare=True) for row in rows)
+
+
+HALF, WHOLE = (1, 0.5, 0.5, 1), (1, 1, 1, 1)
+HALVED = ((HALF, HALF, "θ, ω"), (WHOLE, HALF, "θ"), (HALF, WHOLE, "ω"))
+
+ACCUMULATING = ((), (0.5,), (0.5, 0.5), (0.5, 0.5, 1))
+
+WEIGHTS = (
+    *(row for i in (0, 3) for row in weighted("slope_left_out", without(i), stage=STAGES[i])),
+    *(row for i in (1, 2) for row in weighted("slope_left_out", without(i), LINES[1:], stage=STAGES[i])),
+    *(row._replace(is_rare=True) for i in (1, 2) for row in weighted("weights_two_missing", with_sixth(i), stage=STAGES[i])),
+    *weighted("weights_equal", (0.25,) * 4),
+    *weighted("weights_unsorted", (1 / 6, 1 / 6, 1 / 3, 1 / 3)),
+    *weighted("weights_unsorted", (1 / 3, 1 / 6, 1 / 6, 1 / 3)),
+    *weighted("weights_unsorted", (1 / 3, 1 / 3, 1 / 6, 1 / 6)),
+    *(
+        method("weights_sum", classical(weights=[6 * weight / divisor for weight in SIMPSON]), sum=total)._replace(is_rare=True)
+        for divisor, total in ((3, "2"), (4, "1.5"), (1, "6"))
+    ),
 )
 
 STEPPERS = (
@@ -139,10 +139,17 @@ STEPPERS = (
     method("h_twice", classical(sum_power=2)),
     method("h_twice", classical(power=2, sum_power=2)),
     method("h_twice", classical(power=2)),
-    method("half_kept_d", classical(angle=((), (0.5,), (0, 0.5), (0, 0, 0.5)))),
+    *of_one_line("half_kept_d", ((), (0.5,), (0, 0.5), (0, 0, 0.5))),
     method("halves_forgotten", classical(angle=((), (1,), (0, 1), (0, 0, 1)))),
-    method("half_forgotten_b", classical(angle=((), (1,), (0, 0.5), (0, 0, 1)))),
-    method("half_forgotten_c", classical(angle=((), (0.5,), (0, 1), (0, 0, 1)))),
+    *of_one_line("half_forgotten_b", ((), (1,), (0, 0.5), (0, 0, 1))),
+    *of_one_line("half_forgotten_c", ((), (0.5,), (0, 1), (0, 0, 1))),
+    *repeated("C/D", "A", ((), (0.5,), (0.5, 0), (0, 0, 1))),
+    *repeated("C/D", "A", ((), (0.5,), (0, 0.5), (1, 0, 0))),
+    *repeated("D", "B", ((), (0.5,), (0, 0.5), (0, 1, 0))),
+    *(
+        method("half_of_sum", classical(theta=theta, omega=omega), equation=line)._replace(is_rare=True)
+        for theta, omega, line in HALVED
+    ),
     method("integer_half", classical(angle=((), (0,), (0, 0), (0, 0, 1)))),
     method("misprint_two_theta", classical(angle=WITHOUT_D, velocity=CLASSICAL, theta=(1, 1, 1, 2))),
     method("misprint_theta_c_alone", classical(theta=(1, 1, 1, 0))),
@@ -151,16 +158,10 @@ STEPPERS = (
     method("theta_before_omega", stepper(SEEING_BOTH, SIMPSON, velocity=SEEING_THEMSELVES, omega_weights=SECOND)),
     method("omega_before_theta", stepper(SEEING_THEMSELVES, SECOND, velocity=SEEING_SUM, omega_weights=SIMPSON)),
     method("omega_before_theta", stepper(SEEING_THEMSELVES, SECOND, velocity=SEEING_BOTH, omega_weights=SIMPSON)),
-    method("weights_unsorted", classical(weights=(1 / 6, 1 / 6, 1 / 3, 1 / 3))),
-    method("weights_unsorted", classical(weights=(1 / 3, 1 / 6, 1 / 6, 1 / 3))),
-    method("weights_unsorted", classical(weights=(1 / 3, 1 / 3, 1 / 6, 1 / 6))),
-    method("weights_sixth", classical(weights=(1 / 6,) * 4)),
+    *weighted("weights_sixth", (1 / 6,) * 4),
     method("weights_third_missing", classical(weights=(1 / 6, 1 / 3, 0, 1 / 6))),
     method("weights_third_missing", classical(weights=(1 / 6, 0, 1 / 3, 1 / 6))),
-    *(method("slope_left_out", made, stage=stage, equation=equation) for made, stage, equation in SLOPES_LEFT_OUT),
-    method("weights_equal", classical(weights=(0.25,) * 4)),
-    method("weights_unsorted", classical(weights=(1 / 6, 1 / 6, 1 / 3, 1 / 3), omega_weights=SIMPSON)),
-    method("weights_unsorted", classical(omega_weights=(1 / 6, 1 / 6, 1 / 3, 1 / 3))),
+    *WEIGHTS,
     *(method("wrong_sign_in_stage", turned(i), stage=STAGES[i]) for i in range(4)),
     method("own_index", OWN_INDEX),
     method("stages_accumulate", classical(angle=ACCUMULATING)),
@@ -185,6 +186,7 @@ EQUATIONS = (
     equation("sine_quintic", force="quintic"),
     *(equation("sine_of_degrees", {"factor": factor}, scale=factor) for factor in (1 / DEGREE, DEGREE)),
     *(equation("damping", {"beta": beta}, beta=beta) for beta in (0.1, 0.2, 0.5)),
+    equation("acceleration_printed", shows="acceleration"),  # of the sine; so it is no pair with another equation
 )
 
 
@@ -213,6 +215,8 @@ STARTS = (
     start("theta0_forgotten", theta0=(0, 0)),
     start("omega0_sign", omega0=(-1, -1)),
     start("theta0_sign", theta0=(-1, -1)),
+    start("theta0_integer", whole="theta0"),
+    start("omega0_integer", whole="omega0"),
     *(
         Mistake("rough_pi", "start", {"theta0": (1, pi / math.pi), "omega0": (1, pi / math.pi), "pi": used}, {"pi": pi})
         for pi in (3.14, 3.1415, 3.1416, 3.14159)
@@ -232,6 +236,7 @@ def stiffness(name: str, factor: float, power: float, **values: float) -> Mistak
 
 
 ALPHAS = (
+    Mistake("alpha_integer", "alpha", {"whole": "alpha"}),
     stiffness("alpha_root", 1, 0.5),
     stiffness("alpha_square", 1, 2),
     stiffness("alpha_inverse", 1, -1),
@@ -254,6 +259,19 @@ ROWS = (
     late("time_twice", pace=0.5),
     late("row_late", rows_late=1),
     late("row_early", rows_late=-1),
+    late("omega_behind", omega_late=-1),
+    late("omega_ahead", omega_late=1),
+    late("omega_ahead", omega_late=1, first_is_right=True),
+    Mistake("omega_absolute", "column", {"shows": "speed"}, is_rare=True),
+    Mistake("omega_difference", "column", {"shows": "step difference"}, {"over": "Δt"}, is_rare=True),
+    Mistake("omega_difference", "column", {"shows": "row difference"}, {"over": "t_cout"}, is_rare=True),
+    *(
+        Mistake("velocity_along", "column", {"shows": "along", "gravity": g}, {"g": g}, is_rare=True)
+        for g in (9.8, 9.81, 9.80665, 10.0)
+    ),
+    late("theta_behind", theta_late=-1)._replace(is_rare=True),
+    late("theta_ahead", theta_late=1)._replace(is_rare=True),
+    late("theta_ahead", theta_late=1, first_is_right=True)._replace(is_rare=True),
 )
 
 

@@ -47,6 +47,56 @@ def amplitude_of(r: float) -> float:
     return 2 * math.asin(min(1.0, abs(r)))
 
 
+def half_velocity(start: Start) -> float:
+    """A of (3.8) [rad/s]."""
+    return _at_bottom(start) / 2
+
+
+def _of_a(a: Callable[[Start], float]) -> Callable[[Start], float]:
+    """The period (3.6) with another A. The series has no sum where its r is not below 1."""
+
+    def tau(start: Start) -> float:
+        regime, _, found = analysis(Start(0.0, 2 * a(start), start.alpha))
+        return found if regime == 1 else math.nan
+
+    return tau
+
+
+def _of_r(r: Callable[[Start], float]) -> Callable[[Start], float]:
+    """The period (3.6) of a rotation with another r. The series has no sum where that is not below 1."""
+
+    def tau(start: Start) -> float:
+        used = r(start)
+        sums = analysis(Start(amplitude_of(used), 0.0, 1.0))[2] / (2 * math.pi)
+        return rotation_period(start) * sums if used < 1 else math.nan
+
+    return tau
+
+
+# Limit angles that programs find in place of (3.2).
+LIMITS: tuple[tuple[str, Callable[[Start], float]], ...] = (
+    ("|θ0|", lambda start: abs(float(_core.wrap(start.theta0)))),
+    ("arccos(cos θ0 + ω0²/(2α))", lambda start: math.acos(math.cos(start.theta0) + start.omega0**2 / (2 * start.alpha))),
+    ("arccos(cos θ0 − ω0²/α)", lambda start: math.acos(math.cos(start.theta0) - start.omega0**2 / start.alpha)),
+    ("arccos(cos θ0 − ω0²/2)", lambda start: math.acos(math.cos(start.theta0) - start.omega0**2 / 2)),
+    ("arccos(cos θ0 − ω0²·α/2)", lambda start: math.acos(math.cos(start.theta0) - start.omega0**2 * start.alpha / 2)),
+    ("arccos(cos θ0 − ω0/(2α))", lambda start: math.acos(math.cos(start.theta0) - start.omega0 / (2 * start.alpha))),
+)
+
+
+def wrong_limits(start: Start) -> Iterator[tuple[str, float]]:
+    """Formulas of limit angles, and what they give [rad]."""
+    for formula, limit in LIMITS:
+        try:
+            yield formula, limit(start)
+        except (ValueError, ArithmeticError):  # it is no cosine, or no double
+            continue
+
+
+def _of_limit(limit: Callable[[Start], float]) -> Callable[[Start], float]:
+    return lambda start: analysis(Start(limit(start), 0.0, start.alpha))[2]
+
+
 def partial_sums(start: Start, terms: int = 1 << 14) -> np.ndarray:
     """T0 times the sums of the series (3.6) of one term, two, and so on [s]."""
     n = np.arange(1.0, terms)
@@ -54,11 +104,26 @@ def partial_sums(start: Start, terms: int = 1 << 14) -> np.ndarray:
     return first_term(start) * np.append(1.0, 1 + np.cumsum(np.cumprod(factors)))
 
 
+def periods_on_separatrix(start: Start) -> np.ndarray:
+    """What programs find that take a pendulum on the separatrix for one that oscillates or turns over [s].
+
+    Its r is 1, and the series has no sum: it is cut after some terms, or where they are small. Or rounding makes r less.
+    """
+    cut = np.array([base * 10.0**power for base in (1, 2, 5) for power in (5, 6, 7)])
+    small = 10.0 ** np.arange(5, 9) / np.pi  # a_n tends to 1/(π n)
+    sums = (np.log(16 * np.append(cut, small)) + np.euler_gamma) / np.pi
+    rounded = np.log(16 / (np.arange(1, 33) * 2.0**-54)) / np.pi
+    either = np.concatenate([partial_sums(start) / first_term(start), sums, rounded])
+    return math.pi / math.sqrt(start.alpha) * np.append(either, 2 * either)
+
+
 def _modulus(start: Start) -> float:
     """r of (3.8)."""
     regime, theta_max, _ = analysis(start)
     if regime < 0:
         return math.sin(theta_max / 2)
+    if regime == 0:
+        return 1.0
     return math.sqrt(2 * start.alpha / float(_core.energy(*start)))
 
 
@@ -80,7 +145,32 @@ def _of_amplitude(r: Callable[[Start], float]) -> Callable[[Start], float]:
     return lambda start: analysis(Start(amplitude_of(r(start)), 0.0, start.alpha))[2]
 
 
+def _root(start: Start, square: float, factor: float, height: float) -> float:
+    return math.sqrt(square * start.omega0**2 + factor * height) / 2
+
+
+# A of (3.8) as programs write it wrongly.
+WRONG_A: tuple[tuple[str, Callable[[Start], float]], ...] = (
+    ("√(ω0² + 2α(1 + cos θ0))/2", lambda start: _root(start, 1, 2 * start.alpha, 1 + math.cos(start.theta0))),
+    ("√(ω0² − 2α(1 − cos θ0))/2", lambda start: _root(start, 1, -2 * start.alpha, 1 - math.cos(start.theta0))),
+    ("√(ω0² + 2α(1 − sin θ0))/2", lambda start: _root(start, 1, 2 * start.alpha, 1 - math.sin(start.theta0))),
+    ("√(ω0² + 2α·cos θ0)/2", lambda start: _root(start, 1, 2 * start.alpha, math.cos(start.theta0))),
+    ("√(ω0² + α(1 − cos θ0))/2", lambda start: _root(start, 1, start.alpha, 1 - math.cos(start.theta0))),
+    ("√(ω0² + 2(1 − cos θ0))/2", lambda start: _root(start, 1, 2, 1 - math.cos(start.theta0))),
+    ("√((ω0² + 2α(1 − cos θ0))/2)", lambda start: _root(start, 2, 4 * start.alpha, 1 - math.cos(start.theta0))),
+    ("|ω0|/2", lambda start: abs(start.omega0) / 2),
+)
+
 BOTH, OSCILLATION, SEPARATRIX, ROTATION = (-1, 1), (-1,), (0,), (1,)
+
+# What programs take for the series (3.6).
+OTHER_SERIES: tuple[tuple[str, tuple[int, ...], Callable[[Start], float]], ...] = (
+    ("T0(1 + θM²/16)", OSCILLATION, lambda start: first_term(start) * (1 + analysis(start)[1] ** 2 / 16)),
+    ("T0(1 + θ0²/16)", OSCILLATION, lambda start: first_term(start) * (1 + float(_core.wrap(start.theta0)) ** 2 / 16)),
+    ("T0(2 + a1 + a2 + …)", BOTH, lambda start: first_term(start) + analysis(start)[2]),
+    ("T0(1 + r² + r⁴ + …)", BOTH, lambda start: first_term(start) / (1 - _modulus(start) ** 2)),
+    ("√(2π/α)(1 + a1 + a2 + …)", OSCILLATION, lambda start: analysis(start)[2] / math.sqrt(2 * math.pi)),
+)
 MISTAKES = (
     row("period_first_term", BOTH, lambda start: first_term(start)),
     row("period_small", BOTH, lambda start: small_period(start)),
@@ -90,7 +180,13 @@ MISTAKES = (
     row("period_modulus", OSCILLATION, _of_amplitude(lambda start: math.sin(analysis(start)[1])), r="sin θM"),
     row("period_modulus", OSCILLATION, _of_amplitude(lambda start: math.sin(analysis(start)[1]) / 2), r="sin(θM)/2"),
     row("period_modulus", OSCILLATION, _of_amplitude(lambda start: math.sin(start.theta0 / 2)), r="sin(θ0/2)"),
+    *(row("theta_max", OSCILLATION, _of_limit(limit), formula=formula) for formula, limit in LIMITS),
+    *(row("period_a", ROTATION, _of_a(a), formula=formula) for formula, a in WRONG_A),
+    row("period_modulus", ROTATION, _of_r(lambda start: 1 / half_velocity(start)), r="1/A"),
+    row("period_modulus", ROTATION, _of_r(lambda start: start.alpha / half_velocity(start)), r="α/A"),
+    row("period_modulus", ROTATION, _of_r(lambda start: math.sqrt(start.alpha) / _at_bottom(start)), r="√α/(2A)"),
     row("series_without_first", BOTH, lambda start: analysis(start)[2] - first_term(start)),
+    *(row("series_other", regimes, tau, formula=formula) for formula, regimes, tau in OTHER_SERIES),
     row("series_not_squared", BOTH, lambda start: first_term(start) / math.sqrt(1 - _modulus(start))),
     row("period_alpha", (-1, 0, 1), lambda start: analysis(start)[2] * math.sqrt(start.alpha), factor="√α"),
     row("period_alpha", BOTH, lambda start: analysis(start)[2] / math.sqrt(start.alpha), factor="1/√α"),

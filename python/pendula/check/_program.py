@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from tempfile import TemporaryFile
 from typing import TYPE_CHECKING, Any, BinaryIO, NamedTuple, TypeAlias
@@ -13,6 +13,7 @@ import numpy as np
 from pendula import _core
 from pendula._closed_form import analyze, exact
 from pendula._command import BAD_USAGE, RefusedError, Text, printed
+from pendula.check._stepper import RUNGE_KUTTA, Stepper
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -61,84 +62,6 @@ class Start(NamedTuple):
     alpha: float
 
 
-# Steppers.
-
-
-@dataclass(frozen=True, eq=False)
-class Stepper:
-    """An explicit method with stages: the angle, the velocity and the acceleration of each are
-
-        x = theta[s] θ + Σ_j h^power[s] (angle[s, j] v_j + own_angle[s, j] a_j)
-        v = omega[s] ω + Σ_j h^power[s] (velocity[s, j] a_j + own_velocity[s, j] v_j)
-        a = the acceleration at x, v and the time t + h time[s]
-
-    and the step adds h^sum_power Σ_j theta_sum[j] v_j to θ and h^sum_power Σ_j omega_sum[j] a_j to ω.
-    """
-
-    theta: Floats
-    omega: Floats
-    time: Floats
-    angle: Floats
-    own_angle: Floats
-    velocity: Floats
-    own_velocity: Floats
-    theta_sum: Floats
-    omega_sum: Floats
-    power: Floats
-    sum_power: float
-
-    @lru_cache(maxsize=4096)  # noqa: B019
-    def numbers(self, h: float) -> tuple[Floats, Floats]:
-        """The coefficients as `replay` takes them: [stage, 3 + 4 stages] and [angle or velocity, 2 stages]."""
-        with np.errstate(over="ignore", invalid="ignore"):
-            scale = np.power(h, self.power)[:, None]
-            matrices = [each * scale for each in (self.angle, self.own_angle, self.own_velocity, self.velocity)]
-            total = np.power(h, self.sum_power)
-        nothing = np.zeros_like(self.theta_sum)
-        parts = np.column_stack([self.theta, self.omega, self.time * h])
-        sums = [np.concatenate([self.theta_sum, nothing]), np.concatenate([nothing, self.omega_sum])]
-        return np.hstack([parts, *matrices]), np.stack(sums) * total
-
-
-Rows: TypeAlias = "Sequence[Sequence[float]]"
-
-
-def stepper(
-    angle: Rows,
-    weights: Sequence[float],
-    *,
-    velocity: Rows | None = None,
-    omega_weights: Sequence[float] | None = None,
-    own_angle: Rows = (),
-    own_velocity: Rows = (),
-    theta: Sequence[float] = (),
-    power: float | Sequence[float] = 1,
-    sum_power: float = 1,
-) -> Stepper:
-    """A stepper whose velocities see the accelerations as its angles see the velocities, unless other weights are given."""
-    stages = max(len(angle), len(weights), len(omega_weights or ()))
-    matrices = [_square(each, stages) for each in (angle, own_angle, angle if velocity is None else velocity, own_velocity)]
-    parts = np.append(np.array(theta, float), np.ones(stages - len(theta)))
-    sums = [_padded(each, stages) for each in (weights, weights if omega_weights is None else omega_weights)]
-    time = np.clip(np.maximum(matrices[0].sum(axis=1), matrices[2].sum(axis=1)), 0, 1)
-    powers = np.broadcast_to(np.array(power, float), stages)
-    seen, own_seen, faster, own_faster = matrices
-    return Stepper(parts, np.ones(stages), time, seen, own_seen, faster, own_faster, sums[0], sums[1], powers, sum_power)
-
-
-def _padded(row: Sequence[float], stages: int) -> Floats:
-    return np.append(np.array(row, float), np.zeros(stages - len(row)))
-
-
-def _square(rows: Rows, stages: int) -> Floats:
-    filled = [_padded(row, stages) for row in rows] + [np.zeros(stages)] * (stages - len(rows))
-    return np.array(filled)
-
-
-CLASSICAL = ((), (0.5,), (0, 0.5), (0, 0, 1))
-RUNGE_KUTTA = stepper(CLASSICAL, (1 / 6, 1 / 3, 1 / 3, 1 / 6))
-
-
 # Programs.
 
 
@@ -151,6 +74,8 @@ class Program:
     omega0: tuple[float, float] = (1.0, 1.0)
     start: str = "given"
     """Or exchanged; or root: ω0 is √α; or single: all numbers are read in single precision."""
+    whole: str = ""
+    """theta0, omega0 or alpha: what is kept in a variable for whole numbers."""
     alpha: tuple[float, float] = (1.0, 1.0)
     """Factor, and power of the α given."""
     period: str = "right"
@@ -181,11 +106,24 @@ class Program:
     """Whether the step is the time between rows."""
     first_is_right: bool = False
     """Whether the first row is not late."""
+    theta_late: int = 0
+    """By how many steps the angle alone is later than the times printed."""
+    omega_late: int = 0
+    shows: str = "velocity"
+    """Or acceleration, speed (|ω|), along (l ω, with the length of `gravity`), or the angle's difference to the step or the row
+    before, by the time between them: what is printed in the velocity's column."""
+    gravity: float = 9.81
+    """[m/s²]"""
     theta_factor: float = 1.0
     """Of the angle, as it is printed."""
     omega_factor: float = 1.0
     form: str = "signed"
     """Or absolute: |θ| is printed; or normalised: ω is wrapped like an angle."""
+
+    @property
+    def starts_elsewhere(self) -> bool:
+        """Whether the first row may be another one than the initial state."""
+        return any((self.steps_late, self.rows_late, self.theta_late, self.omega_late)) or self.shows != "velocity"
 
 
 RIGHT = Program()
@@ -196,7 +134,11 @@ def taken(program: Program, problem: Problem) -> Start:
     theta0 = problem.theta0 * program.theta0[problem.theta0_unit == "s"]
     omega0 = problem.omega0 * program.omega0[problem.omega0_unit == "s"]
     factor, power = program.alpha
-    alpha = factor * problem.alpha**power
+    alpha = float(factor * np.float64(problem.alpha) ** power)  # infinite, where it is no double
+    theta0, omega0, alpha = (
+        float(math.trunc(each)) if name == program.whole and math.isfinite(each) else each
+        for name, each in (("theta0", theta0), ("omega0", omega0), ("alpha", alpha))
+    )
     if program.start == "exchanged":
         theta0, omega0 = omega0, theta0
     elif program.start == "single":
@@ -265,7 +207,38 @@ def paced(program: Program, clock: Clock) -> Clock:
 
 
 def replay(programs: Sequence[Program], clocks: Sequence[Clock], starts: Sequence[Start]) -> Motion:
-    """What the programs compute, each with its clock, from what it takes for the pendulum."""
+    """What the programs print, each with its clock, from what it takes for the pendulum."""
+    motion = _states(programs, clocks, starts)
+    for i, name in enumerate(("theta_late", "omega_late")):
+        apart = [j for j, program in enumerate(programs) if getattr(program, name)]
+        if apart:
+            late = [replace(programs[j], steps_late=programs[j].steps_late + getattr(programs[j], name)) for j in apart]
+            motion[i][apart] = _states(late, [clocks[j] for j in apart], [starts[j] for j in apart])[i]
+    for j, program in enumerate(programs):
+        if program.shows != "velocity":
+            motion.omega[j] = _shown(program, clocks[j], starts[j], motion.theta[j], motion.omega[j])
+    return motion
+
+
+def _shown(program: Program, clock: Clock, start: Start, theta: Floats, omega: Floats) -> Floats:
+    """What a program prints in the velocity's column."""
+    shown = omega.copy()
+    if program.shows == "acceleration":
+        shown = -_terms(program, start)[0] * np.sin(theta)
+    elif program.shows == "speed":
+        shown = np.abs(omega)
+    elif program.shows == "along":
+        shown *= program.gravity / start.alpha
+    elif program.shows == "step difference":
+        before = _states([replace(program, steps_late=program.steps_late - 1)], [clock], [start]).theta[0]
+        shown[1:] = (theta - before)[1:] / clock.dt
+    elif program.shows == "row difference":
+        shown[1:] = np.diff(theta) / (np.maximum(np.diff(clock.steps), 1) * clock.dt)
+    return shown
+
+
+def _states(programs: Sequence[Program], clocks: Sequence[Clock], starts: Sequence[Start]) -> Motion:
+    """What the programs compute."""
     rows = max((clock.steps.size for clock in clocks), default=0)
     theta, omega = np.empty((2, len(programs), rows))
     sizes = np.array([program.stepper.theta.size for program in programs], int)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from pendula.check._finding import Finding, error, remark
-from pendula.check._periods import Period, first_term, partial_sums, wrong_periods
+from pendula.check._periods import Period, first_term, partial_sums, periods_on_separatrix, wrong_periods
 from pendula.check._program import Clock, Problem, Start, analysis
 
 if TYPE_CHECKING:
@@ -263,9 +263,12 @@ def off(start: Start, own: float, doubt: float, values: dict[str, float]) -> Fin
     simple = Fraction(ratio).limit_denominator(LARGEST_RATIO)
     if simple != 1 and 0 < simple.numerator <= LARGEST_RATIO and abs(ratio - float(simple)) <= doubt * ratio and doubt < 1e-4:
         return error("tau_off", **values, ratio=str(simple))
+    if regime == 0 and np.min(np.abs(periods_on_separatrix(start) - own)) <= min(doubt, MOST_DOUBT) * own:
+        return error("regime", **values, k=regime)
     if regime != 0 and least < own < tau:
         sums = partial_sums(start)
-        if np.min(np.abs(sums - own)) <= min(doubt, MOST_DOUBT) * own:
+        # Beyond the last of them, sums are as near to each other as the doubt.
+        if np.min(np.abs(sums - own)) <= min(doubt, MOST_DOUBT) * own or own > sums[-1]:
             return error("series_cut", **values, relative=1 - ratio)
     return error("tau", **values)
 

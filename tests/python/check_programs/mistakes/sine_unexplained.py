@@ -1,76 +1,85 @@
-# The solution of the linear equation with the pendulum's period: its amplitude is not θM.
-"""Dictionaries and generators; the state is a complex number, angle + i velocity."""
-import itertools
-import math
+# Error: la función sinusoidal, en valor absoluto.
+# Traducido de MATLAB: x = [theta; omega], f = @(t, x) [x(2); -alfa*sin(x(1))], fprintf('%14.6e ...')
 import sys
-
-TURN = 2 * math.pi
-
-
-def normalised(theta):
-    return theta - TURN * ((theta + math.pi) // TURN)
+from math import *
 
 
-def read(stream):
-    names = "fd fc fs theta0 ut omega0 uo alpha".split()
-    tokens = iter(stream.read().split())
-    for first in tokens:
-        values = dict(zip(names, [first, *itertools.islice(tokens, 7)]))
-        units = {"r": 1.0, "s": math.pi / 180}
-        theta0 = float(values["theta0"]) * units[values["ut"]]
-        omega0 = float(values["omega0"]) * units[values["uo"]]
-        yield {key: float(values[key]) for key in ("fd", "fc", "fs", "alpha")} | {"theta0": normalised(theta0), "omega0": omega0}
+def odefun(alfa):
+    return lambda t, x: (x[1], -alfa*sin(x[0]))
 
 
-def agm(a, b):
-    """The arithmetic-geometric mean; the series (3.6) is 1 / agm(1, sqrt(1 - r*r))."""
-    while abs(a - b) > 1e-15 * a:
-        a, b = (a + b) / 2, math.sqrt(a * b)
-    return a
+def rk4(f, t, x, h):
+    mas = lambda x, c, k: tuple(xi + c*ki for xi, ki in zip(x, k))
+    k1 = f(t, x)
+    k2 = f(t + h/2, mas(x, h/2, k1))
+    k3 = f(t + h/2, mas(x, h/2, k2))
+    k4 = f(t + h, mas(x, h, k3))
+    x = mas(x, h/6, k1)
+    x = mas(x, h/3, k2)
+    x = mas(x, h/3, k3)
+    return mas(x, h/6, k4)
 
 
-def analysis(p):
-    theta0, omega0, alpha = p["theta0"], p["omega0"], p["alpha"]
-    excess = omega0 * omega0 / (2 * alpha) - math.cos(theta0) - 1
-    if abs(excess) < 1e-9:
-        limit = -math.pi if omega0 < 0 else math.pi
-        ratio = math.tan(0.999 * limit / 4 + math.pi / 4) / math.tan(theta0 / 4 + math.pi / 4)
-        return {"k": 0, "limit": limit, "tau": abs(math.log(ratio)) / math.sqrt(alpha)}
-    if excess < 0:
-        limit = math.acos(-1 - excess)
-        tau = TURN / math.sqrt(alpha) / agm(1, math.cos(limit / 2))
+def ellipke(m):
+    a, b = 1, sqrt(1 - m)
+    for _ in range(12):
+        a, b = (a + b)/2, sqrt(a*b)
+    return pi/(2*a)
+
+
+def mod(x, y):
+    return x - y*floor(x/y)
+
+
+cifras = int(sys.argv[1]) if len(sys.argv) > 1 else 6
+celda = '%%%d.%de' % (cifras + 8, cifras - 1)
+primera = True
+for linea in sys.stdin:
+    dato = linea.split()
+    if len(dato) != 8:
+        continue
+    [fdt, fcout, fsim] = [float(d) for d in dato[0:3]]
+    th0 = float(dato[3])
+    om0 = float(dato[5])
+    alfa = float(dato[7])
+    if dato[4] == 's':
+        th0 = th0*pi/180
+    if dato[6] == 's':
+        om0 = om0*pi/180
+    th0 = mod(th0 + pi, 2*pi) - pi
+    m = om0**2/(4*alfa) + (1 - cos(th0))/2    # m = E/(2mgl)
+    if abs(m - 1) < 1e-9:
+        thM = copysign(pi, om0)
+        tau = abs(log(tan(0.999*thM/4 + pi/4)) - log(tan(th0/4 + pi/4)))/sqrt(alfa)
+    elif m < 1:
+        thM = 2*asin(sqrt(m))
+        tau = 4*ellipke(m)/sqrt(alfa)
+        s = th0/thM
+        phi = asin(s) if abs(s) < 1 else copysign(pi/2, s)
+        if om0 < 0 and abs(s) < 1:
+            phi = pi - phi
     else:
-        limit = math.pi
-        A = math.sqrt(omega0**2 + 2 * alpha * (1 - math.cos(theta0))) / 2
-        tau = math.pi / agm(A, math.sqrt(A * A - alpha))
-    return {"k": 1 if excess > 0 else -1, "limit": limit, "tau": tau}
+        thM = pi
+        tau = 2*ellipke(1/m)/sqrt(alfa*m)
+    oscila = m < 1 and abs(m - 1) >= 1e-9
 
+    f = odefun(alfa)
+    h = fdt*tau
+    t = 0
+    x = (th0, om0)
+    tabla = [(t, *x)]
+    for fila in range(1, floor(fsim/fcout*(1 + 1e-9)) + 1):
+        while t < fila*fcout*tau - h/2:
+            x = rk4(f, t, x, h)
+            t = t + h
+        tabla.append((t, *x))
 
-def states(z, alpha, h):
-    """The state after no, one, two, ... steps."""
-    slope = lambda z: complex(z.imag, -alpha * math.sin(z.real))
-    while True:
-        yield z
-        a = slope(z)
-        b = slope(z + h / 2 * a)
-        c = slope(z + h / 2 * b)
-        d = slope(z + h * c)
-        z += h / 6 * (a + 2 * b + 2 * c + d)
-
-
-digits = int(sys.argv[1]) if len(sys.argv) > 1 else 6
-for number, p in enumerate(read(sys.stdin)):
-    p |= analysis(p)
-    w = TURN / p["tau"]
-    every = round(p["fc"] / p["fd"])
-    rows = math.floor(p["fs"] / p["fc"] + 1e-9) + 1
-    dt = p["fc"] * p["tau"] / every
-    words = ["t", "angulo", "velocidad"] + ["funcionSinusoidal"] * (p["k"] == -1)
-    print("\n\n" if number else "", " ".join(words), sep="")
-    path = states(complex(p["theta0"], p["omega0"]), p["alpha"], dt)
-    for j, z in enumerate(itertools.islice(path, 0, (rows - 1) * every + 1, every)):
-        t = j * every * dt
-        row = {"t": t, "theta": normalised(z.real), "omega": z.imag}
-        if p["k"] == -1:
-            row["sine"] = p["theta0"] * math.cos(w * t) + p["omega0"] / w * math.sin(w * t)
-        print(*(f"{value:.{digits}g}" for value in row.values()))
+    if not primera:
+        print('\n')
+    primera = False
+    print('t angulo velocidad' + ' funcionSinusoidal'*oscila)
+    for (t, th, om) in tabla:
+        fila = [t, mod(th + pi, 2*pi) - pi, om]
+        if oscila:
+            fila += [abs(thM*sin(2*pi/tau*t + phi))]
+        print(''.join(celda % x for x in fila))

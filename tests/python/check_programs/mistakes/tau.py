@@ -1,4 +1,4 @@
-# Mistake: τ is T0 (1 + θM²/16), the beginning of another series, good for small angles only.
+# Mistake: τ is T0 (1 + θM/16): it is no period at all, and no other formula gives it.
 import math
 import sys
 
@@ -21,7 +21,7 @@ def analysis(theta0, omega0, alpha):
         return 0, limit, abs(F(0.999 * limit) - F(theta0))
     if m < 1:
         limit = 2 * math.asin(math.sqrt(m))
-        return -1, limit, 2 * math.pi / math.sqrt(alpha) * (1 + limit**2 / 16)
+        return -1, limit, 2 * math.pi / math.sqrt(alpha) * (1 + limit / 16)
     half = integral(lambda u: 1 / math.sqrt(m - math.sin(u) ** 2), 0, math.pi / 2, 100000)
     return 1, math.pi, 2 * half / math.sqrt(alpha)
 

@@ -34,24 +34,25 @@ limit_not_0999, limit_099, regime k, tau_off ratio, tau every spacing
 # stepper
 euler, euler_cromer, euler_theta_first, verlet, midpoint, heun, runge_kutta_3, single_precision, own_slopes,
 own_slopes_theta, own_slopes_omega, own_slopes_omega_first, own_slopes_h_missing, own_slopes_h_squared, own_index,
-h_missing_stages, h_missing_d, h_twice, half_kept_d equation, halves_forgotten, half_forgotten_b equation, half_forgotten_c equation,
+h_missing_stages, h_missing_d, h_twice, half_kept_d equation, halves_forgotten equation, estimate_left_out stage equation,
+half_forgotten_b equation, half_forgotten_c equation,
 half_of_sum equation, stage_repeated stage source equation,
 stages_accumulate, integer_half, theta_before_omega, omega_before_theta, misprint_two_theta, misprint_theta_c_alone, misprint_theta_n,
 weights_unsorted equation, weights_sixth equation, weights_two_missing stage equation, weights_equal equation,
-weights_sum sum, weights_third_missing,
+weights_sum sum, weights_third_missing, weights_other weights equation,
 slope_left_out stage equation, integer_division, nothing_moves, estimates_of_theta_ignored,
 estimates_of_omega_ignored, wrong_sign_in_stage stage
 # equation
-linear, cosine, sine_cubic, sine_quintic, sine_of_degrees factor, upside_down, damping beta, torque torque,
+stage_without_alpha stage, linear, cosine, sine_cubic, sine_quintic, sine_of_degrees factor, upside_down, damping beta, torque torque,
 drive amplitude frequency, length_in_force
 # rows
 step_late, step_early, step_late_but_first, step_early_but_first, omega_behind, omega_ahead,
 theta_behind, theta_ahead, time_twice, row_late, row_early, late_start first,
 starts_at_step first, starts_at_interval first, first_row_twice, every_step, step_is_interval,
-seconds every spacing, interval_of_run every spacing, interval_rounded every spacing, times_in_periods,
+seconds every spacing, interval_of_run every spacing, interval_miscounted steps wanted, time_single, interval_rounded every spacing, times_in_periods,
 times_off, uneven_rows row every, one_row expected, last_row_lost until, last_row_won until last,
 early_end last until rows expected, late_end last until rows expected, not_judged t, wrong_cell count,
-unexplained order energy
+unexplained order energy, other_start theta omega theta0 omega0
 # printing
 angle_in_degrees, velocity_in_degrees, velocity_along g, not_normalised, wraps_one_side, wraps_fmod, wraps_zero_to_two_pi,
 wraps_closed_above, theta_absolute, theta_negated, omega_negated, acceleration_printed, omega_absolute, omega_difference over, omega_normalised
@@ -83,7 +84,10 @@ SAMPLES: dict[str, Value] = {
     "rate": "ω0·t",
     "sum": "1.5",
     "over": "t_cout",
-    "stage": "C/D",
+    "stage": "B, C, D",
+    "weights": "1/8, 3/8, 3/8, 1/8",
+    **dict.fromkeys(("steps", "wanted"), 10001),
+    **dict.fromkeys(("theta", "omega", "theta0", "omega0"), -0.0123456789012),
     "source": "A",
     "equation": "θ, ω",
     "order": 3,

@@ -40,7 +40,8 @@ def test_a_table_with_a_wrong_cell_is_never_right(chosen, digits, place, column,
     value = table[column][row]
     # A number that is almost 0 has no digits of its own: roundings are those of the column.
     size = abs(value) if abs(value) > 1e-6 * np.abs(table[column]).max() else np.abs(table[column]).max()
-    unit = 10.0 ** (np.floor(np.log10(size)) + 1 - digits)
+    # A number just below a power of ten is printed as that.
+    unit = 10.0 ** (np.floor(np.log10(size * (1 + 1e-4))) + 1 - digits)
     # 3 units beside 3 times what is nobody's fault.
     table[column][row] = value + units * unit + np.sign(units) * 3 * (doubts(known) + errors_of_method(known))[column][row]
     assert not told(chosen.text(), printed(table, digits)).is_right

@@ -10,7 +10,7 @@ from pendula.check._explain import Candidate, Explanation, Reading
 from pendula.check._mistakes import STEPPERS, Mistake
 from pendula.check._predict import AS_ASKED, fits, predictions, wrap
 from pendula.check._program import RIGHT, Clock, Program, Start, analysis, replay, taken
-from pendula.check._timing import off, timings
+from pendula.check._timing import KNOWN, off, timings
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
@@ -92,10 +92,13 @@ def _stretched(problem: Problem, timing: Timing, columns: Columns) -> Explanatio
             return None
         if abs(change) <= 1e-3 * abs(stretch):
             break
+    if abs(stretch) <= KNOWN:  # nobody's fault
+        return None
     own = timing.tau * (1 + stretch)
     tau = analysis(start)[2]
     said = off(start, own, 1.0, {"tau": tau, "got": own, "every": problem.every, "spacing": problem.every * (1 + stretch)})
-    moved = timing._replace(clock=clock._replace(dt=clock.dt * (1 + stretch)), tau=own, findings=(*timing.findings, said))
+    findings = timing.findings if timing.changes else (*timing.findings, said)  # a period is told once
+    moved = timing._replace(clock=clock._replace(dt=clock.dt * (1 + stretch)), tau=own, findings=findings)
     candidate = Candidate(RIGHT, Reading(start), moved, ())
     prediction = predictions([candidate.run])[0]
     return Explanation(candidate, AS_ASKED, prediction) if fits(prediction, AS_ASKED, columns) else None

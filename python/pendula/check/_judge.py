@@ -178,6 +178,8 @@ def _of_states(problem: Problem, view: View, found: list[Explanation] | Finding 
     is_rough = False
     if not view.is_right:
         if isinstance(found, Finding):
+            if found.name == "other_start":
+                return [found]  # its times and its sinusoid are those of that start
             findings.append(found)
             is_rough = found.name == "single_precision"
         elif found:
@@ -193,8 +195,6 @@ def _of_states(problem: Problem, view: View, found: list[Explanation] | Finding 
         findings.append(remark("not_judged", t=float(columns.t.values[view.judged])))
     in_time = list(timing.findings)
     doubt = max([doubt, *(2 * abs(float(each.values["pi"]) - np.pi) for each in in_time if each.name == "rough_pi")])
-    if any(each.name == "times_off" for each in in_time) and _is_nearly_in_time(problem, view):
-        findings, is_rough = [Finding("single_precision", {}, where=None)], True
     if is_rough:  # its sums of times are inaccurate, too
         in_time = [each for each in in_time if each.name not in ("series_cut", "tau", "tau_off", "uneven_rows", "times_off")]
     findings += in_time
@@ -217,9 +217,3 @@ def _misjudged(problem: Problem, start: Start, columns: Columns, findings: list[
         return findings
     told = Finding("regime", {"k": problem.regime, **found.values}, where=found.where)
     return [told if each is found else each for each in findings]
-
-
-def _is_nearly_in_time(problem: Problem, view: View) -> bool:
-    """Whether the times are as inaccurate as sums in single precision."""
-    t = view.columns.t.values
-    return bool(np.all(np.abs(t - view.places * problem.every) <= 1e-3 * np.abs(t)))

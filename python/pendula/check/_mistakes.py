@@ -76,12 +76,12 @@ STAGES = "ABCD"
 LINES = ("θ, ω", "θ", "ω")
 
 
-def weighted(name: str, weights: Sequence[float], lines: Sequence[str] = LINES, **values: str) -> tuple[Mistake, ...]:
+def weighted(name: str, numbers: Sequence[float], lines: Sequence[str] = LINES, **values: str) -> tuple[Mistake, ...]:
     """Other weights in the lines of both equations, or of one."""
     made = {
-        "θ, ω": classical(weights=weights),
-        "θ": classical(weights=weights, omega_weights=SIMPSON),
-        "ω": classical(omega_weights=weights),
+        "θ, ω": classical(weights=numbers),
+        "θ": classical(weights=numbers, omega_weights=SIMPSON),
+        "ω": classical(omega_weights=numbers),
     }
     rows = (method(name, made[line], equation=line, **values) for line in lines)
     return tuple(row._replace(is_rare=row.values["equation"] != LINES[0]) for row in rows)
@@ -99,16 +99,41 @@ def repeated(stage: str, source: str, angle: Rows) -> tuple[Mistake, ...]:
     return tuple(row._replace(values={**row.values, "stage": stage, "source": source}, is_rare=True) for row in rows)
 
 
+def left_out(stage: int, lines: Sequence[str]) -> tuple[Mistake, ...]:
+    """A stage that is taken at the state itself and not at an estimate."""
+    angle = tuple(() if i == stage else row for i, row in enumerate(CLASSICAL))
+    rows = of_one_line("estimate_left_out", angle)
+    return tuple(
+        row._replace(values={**row.values, "stage": STAGES[stage]}, is_rare=True)
+        for row in rows
+        if row.values["equation"] in lines
+    )
+
+
 HALF, WHOLE = (1, 0.5, 0.5, 1), (1, 1, 1, 1)
 HALVED = ((HALF, HALF, "θ, ω"), (WHOLE, HALF, "θ"), (HALF, WHOLE, "ω"))
 
 ACCUMULATING = ((), (0.5,), (0.5, 0.5), (0.5, 0.5, 1))
+
+OTHER_WEIGHTS = (
+    ("1/8, 3/8, 3/8, 1/8", (1 / 8, 3 / 8, 3 / 8, 1 / 8)),
+    ("1/6, 1/3, 1/3, 1/3", (1 / 6, 1 / 3, 1 / 3, 1 / 3)),
+    ("1/3, 1/3, 1/3, 1/6", (1 / 3, 1 / 3, 1 / 3, 1 / 6)),
+    ("1/6, 1/3, 1/2, 1/6", (1 / 6, 1 / 3, 1 / 2, 1 / 6)),
+    ("1/6, 1/2, 1/3, 1/6", (1 / 6, 1 / 2, 1 / 3, 1 / 6)),
+    ("1/2, 0, 0, 1/2", (1 / 2, 0, 0, 1 / 2)),
+)
 
 WEIGHTS = (
     *(row for i in (0, 3) for row in weighted("slope_left_out", without(i), stage=STAGES[i])),
     *(row for i in (1, 2) for row in weighted("slope_left_out", without(i), LINES[1:], stage=STAGES[i])),
     *(row._replace(is_rare=True) for i in (1, 2) for row in weighted("weights_two_missing", with_sixth(i), stage=STAGES[i])),
     *weighted("weights_equal", (0.25,) * 4),
+    *(
+        row._replace(is_rare=True)
+        for told, weights in OTHER_WEIGHTS
+        for row in weighted("weights_other", weights, weights=told)
+    ),
     *weighted("weights_unsorted", (1 / 6, 1 / 6, 1 / 3, 1 / 3)),
     *weighted("weights_unsorted", (1 / 3, 1 / 6, 1 / 6, 1 / 3)),
     *weighted("weights_unsorted", (1 / 3, 1 / 3, 1 / 6, 1 / 6)),
@@ -140,11 +165,14 @@ STEPPERS = (
     method("h_twice", classical(power=2, sum_power=2)),
     method("h_twice", classical(power=2)),
     *of_one_line("half_kept_d", ((), (0.5,), (0, 0.5), (0, 0, 0.5))),
-    method("halves_forgotten", classical(angle=((), (1,), (0, 1), (0, 0, 1)))),
+    *of_one_line("halves_forgotten", ((), (1,), (0, 1), (0, 0, 1))),
     *of_one_line("half_forgotten_b", ((), (1,), (0, 0.5), (0, 0, 1))),
     *of_one_line("half_forgotten_c", ((), (0.5,), (0, 1), (0, 0, 1))),
-    *repeated("C/D", "A", ((), (0.5,), (0.5, 0), (0, 0, 1))),
-    *repeated("C/D", "A", ((), (0.5,), (0, 0.5), (1, 0, 0))),
+    *left_out(1, LINES),
+    *left_out(2, LINES),
+    *left_out(3, LINES[:2]),  # that of ω is a misprint
+    *repeated("C", "A", ((), (0.5,), (0.5, 0), (0, 0, 1))),
+    *repeated("D", "A", ((), (0.5,), (0, 0.5), (1, 0, 0))),
     *repeated("D", "B", ((), (0.5,), (0, 0.5), (0, 1, 0))),
     *(
         method("half_of_sum", classical(theta=theta, omega=omega), equation=line)._replace(is_rare=True)
@@ -172,7 +200,7 @@ STEPPERS = (
 )
 
 
-def equation(name: str, values: dict[str, float] | None = None, **changes: Any) -> Mistake:
+def equation(name: str, values: dict[str, float | str] | None = None, **changes: Any) -> Mistake:
     """A mistake in the acceleration."""
     return Mistake(name, "equation", changes, values or {})
 
@@ -186,6 +214,10 @@ EQUATIONS = (
     equation("sine_quintic", force="quintic"),
     *(equation("sine_of_degrees", {"factor": factor}, scale=factor) for factor in (1 / DEGREE, DEGREE)),
     *(equation("damping", {"beta": beta}, beta=beta) for beta in (0.1, 0.2, 0.5)),
+    *(
+        equation("stage_without_alpha", {"stage": ", ".join(stages)}, bare=stages)._replace(is_rare=True)
+        for stages in ("A", "B", "C", "D", "BCD")
+    ),
     equation("acceleration_printed", shows="acceleration"),  # of the sine; so it is no pair with another equation
 )
 

@@ -34,12 +34,16 @@ def small_period(start: Start) -> float:
     return analysis(Start(0.0, 0.0, start.alpha))[2]
 
 
-def limit_time(start: Start, fraction: float) -> float:
+def limit_time(start: Start, fraction: float, pi: float = math.pi) -> float:
     """The time (3.5) to a fraction of θM on the separatrix, as a program in double precision finds it [s]."""
     sign = -1.0 if start.omega0 < 0 else 1.0
-    there = math.tan(fraction * math.pi / 4 + math.pi / 4)
-    here = math.tan(sign * float(_core.wrap(start.theta0)) / 4 + math.pi / 4)
+    there = math.tan(fraction * pi / 4 + pi / 4)
+    here = math.tan(sign * float(_core.wrap(start.theta0)) / 4 + pi / 4)
     return math.log(there / here) / math.sqrt(start.alpha)
+
+
+def _of_pi(pi: float) -> Callable[[Start], float]:
+    return lambda start: limit_time(start, 0.999, pi)
 
 
 def amplitude_of(r: float) -> float:
@@ -102,6 +106,13 @@ def partial_sums(start: Start, terms: int = 1 << 14) -> np.ndarray:
     n = np.arange(1.0, terms)
     factors = ((2 * n - 1) / (2 * n) * _modulus(start)) ** 2
     return first_term(start) * np.append(1.0, 1 + np.cumsum(np.cumprod(factors)))
+
+
+def _sum_of(square: float, more: float = 0.0) -> float:
+    """The sum in (3.6) with this in place of r², and more in the denominators 2n."""
+    n = np.arange(1.0, 1 << 14)
+    terms = np.cumprod(((2 * n - 1) / (2 * n + more)) ** 2 * square)
+    return 1 + float(np.sum(terms)) if terms[-1] < 1e-12 else math.nan
 
 
 def periods_on_separatrix(start: Start) -> np.ndarray:
@@ -169,6 +180,13 @@ OTHER_SERIES: tuple[tuple[str, tuple[int, ...], Callable[[Start], float]], ...] 
     ("T0(1 + θ0²/16)", OSCILLATION, lambda start: first_term(start) * (1 + float(_core.wrap(start.theta0)) ** 2 / 16)),
     ("T0(2 + a1 + a2 + …)", BOTH, lambda start: first_term(start) + analysis(start)[2]),
     ("T0(1 + r² + r⁴ + …)", BOTH, lambda start: first_term(start) / (1 - _modulus(start) ** 2)),
+    ("T0(1 + a1 + a2 + …) with r in place of r²", BOTH, lambda start: first_term(start) * _sum_of(_modulus(start))),
+    ("T0(1 + a1 + a2 + …) with r⁴ in place of r²", BOTH, lambda start: first_term(start) * _sum_of(_modulus(start) ** 4)),
+    (
+        "T0(1 + a1 + a2 + …) with 2n + 1 in place of 2n",
+        BOTH,
+        lambda start: first_term(start) * _sum_of(_modulus(start) ** 2, 1),
+    ),
     ("√(2π/α)(1 + a1 + a2 + …)", OSCILLATION, lambda start: analysis(start)[2] / math.sqrt(2 * math.pi)),
 )
 MISTAKES = (
@@ -189,10 +207,11 @@ MISTAKES = (
     *(row("series_other", regimes, tau, formula=formula) for formula, regimes, tau in OTHER_SERIES),
     row("series_not_squared", BOTH, lambda start: first_term(start) / math.sqrt(1 - _modulus(start))),
     row("period_alpha", (-1, 0, 1), lambda start: analysis(start)[2] * math.sqrt(start.alpha), factor="√α"),
-    row("period_alpha", BOTH, lambda start: analysis(start)[2] / math.sqrt(start.alpha), factor="1/√α"),
-    row("period_alpha", BOTH, lambda start: analysis(start)[2] * start.alpha, factor="α"),
-    row("period_alpha", BOTH, lambda start: analysis(start)[2] / start.alpha, factor="1/α"),
+    row("period_alpha", (-1, 0, 1), lambda start: analysis(start)[2] / math.sqrt(start.alpha), factor="1/√α"),
+    row("period_alpha", (-1, 0, 1), lambda start: analysis(start)[2] * start.alpha, factor="α"),
+    row("period_alpha", (-1, 0, 1), lambda start: analysis(start)[2] / start.alpha, factor="1/α"),
     row("logarithm_base_10", SEPARATRIX, lambda start: analysis(start)[2] / math.log(10)),
+    *(row("rough_pi", SEPARATRIX, _of_pi(pi), pi=pi) for pi in (3.14, 3.1415, 3.1416, 3.14159)),
     row("limit_099", SEPARATRIX, lambda start: limit_time(start, 0.99)),
     row("limit_not_0999", SEPARATRIX, lambda start: limit_time(start, 1.0)),
     row("regime", BOTH, lambda start: limit_time(start, 0.999)),

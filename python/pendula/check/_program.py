@@ -78,11 +78,7 @@ class Program:
     """theta0, omega0 or alpha: what is kept in a variable for whole numbers."""
     alpha: tuple[float, float] = (1.0, 1.0)
     """Factor, and power of the α given."""
-    period: str = "right"
-    """In PERIODS."""
     pi: float = math.pi
-    spacing: str = "right"
-    """Of the rows; in SPACINGS."""
     stepper: Stepper = field(default=RUNGE_KUTTA, compare=False)
     force: str = "sine"
     """What stands for the sine in the acceleration; one of the core's `Force`."""
@@ -92,6 +88,8 @@ class Program:
     """Of the acceleration."""
     pull: float = 0.0
     """What stands for α in it, unless that is 0."""
+    bare: str = ""
+    """The stages, A to D, in which α is missing."""
     beta: float = 0.0
     torque: float = 0.0
     drive: tuple[float, float] = (0.0, 0.0)
@@ -245,7 +243,7 @@ def _states(programs: Sequence[Program], clocks: Sequence[Clock], starts: Sequen
     for size in np.unique(sizes):
         group = np.flatnonzero(sizes == size)
         each = [(programs[i], starts[i], clocks[i]) for i in group.tolist()]
-        numbers = [program.stepper.numbers(clock.dt) for program, _, clock in each]
+        numbers = [_numbers(program, clock.dt, start.alpha) for program, start, clock in each]
         theta[group], omega[group] = _core.replay(
             start=np.array([start[:2] for _, start, _ in each]),
             terms=np.array([_terms(program, start) for program, start, _ in each]),
@@ -258,6 +256,19 @@ def _states(programs: Sequence[Program], clocks: Sequence[Clock], starts: Sequen
             single=np.array([program.is_single for program, *_ in each]),
         )
     return Motion(theta, omega)
+
+
+def _numbers(program: Program, dt: float, alpha: float) -> tuple[Floats, Floats]:
+    """The stepper's coefficients, with those of accelerations without α less by that."""
+    stages, sums = program.stepper.numbers(dt)
+    if not program.bare:
+        return stages, sums
+    size, bare = program.stepper.theta.size, ["ABCD".index(letter) for letter in program.bare]
+    less = np.ones(size)
+    less[bare] /= alpha
+    angle, own_angle, own_velocity, velocity = np.split(stages[:, 3:], 4, axis=1)
+    stages = np.hstack([stages[:, :3], angle, own_angle * less, own_velocity, velocity * less])
+    return stages, np.hstack([sums[:, :size], sums[:, size:] * less])
 
 
 def _terms(program: Program, start: Start) -> tuple[float, ...]:

@@ -11,17 +11,20 @@ from pendula import _core
 from pendula.check._explain import Explanation, Search
 from pendula.check._finding import Finding, Where, error
 from pendula.check._fit import fitted
-from pendula.check._mistakes import SINGLE
+from pendula.check._mistakes import SINGLE, Mistake
 from pendula.check._predict import AS_ASKED, DECIDES, MOST_WORK, Prediction, misfits, wrap, wrong_locally
-from pendula.check._program import RIGHT, Problem, closed_form, replay, taken
+from pendula.check._program import RIGHT, Problem, Start, closed_form, replay, taken
 from pendula.check._timing import Timing, timings
 from pendula.check._view import View, first_wrong
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from pendula.check._finding import Value
     from pendula.check._table import Columns
 
+FEWEST_ROWS = 4  # that show a motion
+ELSEWHERE = 0.01  # rad, and relative of ω: a nearer start is that of the problem, read or printed wrongly
 SINGLE_IN_A_ROW = 1e-3  # rad, and of ω/√α: more than single precision loses between two rows
 
 
@@ -32,7 +35,8 @@ def explained(problem: Problem, view: View, search: Search) -> list[Explanation]
     still = np.all(np.abs(wrap(columns.theta.values - columns.theta.values[0])) <= columns.theta.units)
     if rows > 1 and still and np.all(np.abs(columns.omega.values - columns.omega.values[0]) <= columns.omega.units):
         return Finding("nothing_moves", {}, where=where, alternatives=(error("integer_division"),))
-    found = search.explanations(1)
+    are_only_times = not any(wrong.any() for wrong in view.wrong[:2])
+    found = [] if are_only_times and view.are_cells else search.explanations(1)
     if found:
         return found
     if view.are_cells:
@@ -50,7 +54,27 @@ def explained(problem: Problem, view: View, search: Search) -> list[Explanation]
         return found
     if _on_a_circle(columns):
         return error("cartesian")
+    elsewhere = _other_start(problem, view)
+    if elsewhere:
+        return elsewhere
     return Finding("unexplained", _symptoms(problem, view), where=where)
+
+
+def _other_start(problem: Problem, view: View) -> Finding | None:
+    """A table that begins elsewhere, and follows from there."""
+    columns, clock = view.columns, view.timing.clock
+    theta, omega = float(columns.theta.values[0]), float(columns.omega.values[0])
+    if clock.steps.size < FEWEST_ROWS or not any(wrong[0] for wrong in view.wrong[:2]):
+        return None
+    theta0, omega0, alpha = taken(RIGHT, problem)
+    rate = float(np.sqrt(alpha))
+    if abs(wrap(np.array(theta - theta0))) < ELSEWHERE and abs(omega - omega0) < ELSEWHERE * (abs(omega0) + rate):
+        return None
+    start = Start(theta, omega, alpha)
+    if any(wrong.any() for wrong in wrong_locally(start, clock, columns)):
+        return None
+    values: dict[str, Value] = {"theta": theta, "omega": omega, "theta0": float(wrap(np.array(theta0))), "omega0": omega0}
+    return Finding("other_start", values, where=first_wrong(view))
 
 
 def _on_a_circle(columns: Columns) -> bool:
@@ -61,20 +85,25 @@ def _on_a_circle(columns: Columns) -> bool:
 
 
 def told(found: Sequence[Explanation], where: Where | None) -> list[Finding]:
-    """The mistakes of the first explanation; where others explain as well, their names beside."""
-    own = [mistake.name for mistake in found[0].mistakes]
+    """The mistakes of the first explanation; where others explain as well, they stand beside."""
+    own = [_key(mistake) for mistake in found[0].mistakes]
     findings = []
     for i, mistake in enumerate(found[0].mistakes):
         reading = found[0].candidate.reading
-        others = {each.name: error(each.name, **each.values) for each in reading.same if mistake in reading.mistakes}
+        others = {_key(each): each for each in reading.same if mistake in reading.mistakes}
         for other in found[1:]:
-            names = [each.name for each in other.mistakes]
-            if len(names) == len(own) and names[i] != own[i] and names[:i] + names[i + 1 :] == own[:i] + own[i + 1 :]:
-                others[names[i]] = Finding(names[i], dict(other.mistakes[i].values))
-        others.pop(mistake.name, None)
-        alternatives = tuple(others.values())[:3]
+            keys = [_key(each) for each in other.mistakes]
+            if len(keys) == len(own) and keys[i] != own[i] and keys[:i] + keys[i + 1 :] == own[:i] + own[i + 1 :]:
+                others[keys[i]] = other.mistakes[i]
+        others.pop(own[i], None)
+        alternatives = tuple(error(each.name, **each.values) for each in list(others.values())[:3])
         findings.append(Finding(mistake.name, dict(mistake.values), where=where if i == 0 else None, alternatives=alternatives))
     return findings
+
+
+def _key(mistake: Mistake) -> tuple[str, tuple[tuple[str, float | str], ...]]:
+    """What is told of it: rows of which the same is told are one mistake."""
+    return mistake.name, tuple(mistake.values.items())
 
 
 def _symptoms(problem: Problem, view: View) -> dict[str, float | int | str]:

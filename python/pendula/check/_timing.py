@@ -106,6 +106,13 @@ def timings(problem: Problem, start: Start, t: Column, places: Floats, pi: float
     if _is_spacing(grid, t, factor_every * right, factor_dt * right):
         for timing in _timing(problem, t, grid, right, ()):
             yield timing._replace(tau=timing.tau * (math.pi / pi))
+        clock = _numbered(problem, grid, factor_dt * right)
+        if not _is_on_time(t, grid, factor_every * right) and _is_single(t, clock):
+            yield Timing(clock, tau, (error("time_single"),))
+        return
+    counted = _miscounted(problem, tau, t, grid)
+    if counted is not None:
+        yield counted
         return
     of_run = problem.every * problem.until / problem.tau
     is_whole_run = abs(t.values[-1] - problem.until) < of_run and abs(problem.until / problem.tau - 1) > PERIOD
@@ -124,7 +131,40 @@ def timings(problem: Problem, start: Start, t: Column, places: Floats, pi: float
         yield from _timing(problem, t, grid, known[0][1], (said[0]._replace(alternatives=others),))
     else:
         yield from _other_spacings(problem, start, t, grid)
-    yield Timing(_numbered(problem, grid, factor_dt * tau), tau, (error("times_off"),))
+    clock = _numbered(problem, grid, factor_dt * tau)
+    name = "time_single" if _is_single(t, clock) else "times_off"
+    yield Timing(clock, tau, (error(name),))
+
+
+FEWEST_STEPS = 4  # between rows; a step more or less of fewer may as well be another period
+
+
+def _miscounted(problem: Problem, tau: float, t: Column, grid: Grid) -> Timing | None:
+    """Rows that are a wrong whole number of steps apart: one too many or too few, or those of a factor in seconds."""
+    factor, dt = problem.every / problem.tau, problem.dt / problem.tau * tau
+    wanted = round(problem.steps_per_row)
+    counts: list[tuple[str, float]] = []
+    if abs(problem.steps_per_row - wanted) <= PERIOD * wanted and wanted >= FEWEST_STEPS:
+        counts += [("interval_miscounted", wanted + 1), ("interval_miscounted", wanted - 1)]
+    counts += [("seconds", each) for each in (math.floor(factor / dt), math.ceil(factor / dt)) if each > 1]
+    for name, count in counts:
+        if count != wanted and _is_on_time(t, grid, count * dt):
+            is_seconds = name == "seconds"
+            told = {"every": factor * tau, "spacing": count * dt} if is_seconds else {"steps": count, "wanted": wanted}
+            return Timing(_clock(t, grid, dt, count * dt, KNOWN), tau, (error(name, **told),))
+    return None
+
+
+def _is_single(t: Column, clock: Clock) -> bool:
+    """Whether the times are no farther off than single precision makes sums of so many steps."""
+    late = np.finfo(np.float32).eps * np.abs(clock.t) * (1 + clock.steps / 4)
+    return bool(np.all(np.abs(t.values - clock.t) <= t.units + np.minimum(late, clock.dt)))
+
+
+def _is_on_time(t: Column, grid: Grid, every: float) -> bool:
+    """Whether every row is at its own multiple of that, but for one that may be wrong."""
+    off = np.abs(t.values - grid.places * every) > t.units + PERIOD * np.abs(t.values)
+    return bool(np.sum(off) <= one_of(off.size))
 
 
 def _said(mistake: Period, problem: Problem, tau: float, own: float) -> Finding:
@@ -231,8 +271,7 @@ def _other_spacings(problem: Problem, start: Start, t: Column, grid: Grid) -> It
     per_row = problem.steps_per_row
     for rounded in {math.floor(per_row), round(per_row), math.ceil(per_row)} - {0}:
         every = rounded * factor_dt * tau
-        is_on_time = np.all(np.abs(t.values - grid.places * every) <= t.units + PERIOD * np.abs(t.values))
-        if abs(per_row - round(per_row)) > PERIOD * per_row and is_on_time:
+        if abs(per_row - round(per_row)) > PERIOD * per_row and _is_on_time(t, grid, every):
             said = remark("interval_rounded", **spacing)
             yield Timing(_clock(t, grid, factor_dt * tau, every, KNOWN), tau, (said,))
             return

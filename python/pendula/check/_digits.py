@@ -129,7 +129,7 @@ def _powers_of_column(value: Floats, digit: Integers, decimal: Integers, signifi
     nearest = max(significant - 1, int(decimal.max()))
     found = np.where(is_number, digit - decimal - significant, -nearest)
     fixed = _longest(decimal[np.isfinite(value)])
-    if not is_even and _are_shown(digit[is_number], decimal[is_number], fixed):
+    if fixed > 0 and not is_even and _are_shown(digit[is_number], decimal[is_number], fixed):
         found = np.maximum(found, -fixed)
     found = np.minimum(found, -decimal, where=is_number, out=found)
     if len(decimal) >= MANY and is_number[0] and decimal[0] < fixed and _is_fixed(decimal[1:]):

@@ -30,11 +30,13 @@ from pendula.check._timing import Timing, timings
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
+    from pendula.check._finding import Finding
     from pendula.check._program import Floats
     from pendula.check._table import Column, Columns
 
 ROUGHLY = 1e-8  # relative: what roundings may grow to in the first rows
-FIRST_ROWS = (2, 4)  # that a program must predict before it is replayed to the end
+FIRST_ROWS = (2, 4)  # that a program must predict before it is replayed with what is unknown
+MORE_ROWS = (16, 64, 256, 1024, 4096)  # before it is replayed to the end
 MOST_ALTERNATIVES = 3
 MOST_IN_STATES = 2  # mistakes in what is read, computed and printed of states
 
@@ -94,6 +96,8 @@ class Explanation(NamedTuple):
     candidate: Candidate
     printing: Printing
     prediction: Prediction
+    also: tuple[Finding, ...] = ()
+    """What else explains them, and is no program of these."""
 
     @property
     def mistakes(self) -> tuple[Mistake, ...]:
@@ -198,10 +202,22 @@ def _tried(candidates: list[Candidate], columns: Columns, changes: int) -> list[
     likely = [each for each in candidates if each.timing.clock.steps.max(initial=0) <= MOST_WORK]
     for rows in FIRST_ROWS:
         likely = _likely(likely, columns, changes, rows)
+    size = columns.t.values.size
+    found: list[Explanation] = []
+    for rows in (*(each for each in MORE_ROWS if each < size // 2), size):
+        found = _explaining(likely, columns, changes, rows)
+        likely = [each.candidate for each in found]
+    return [each for each in found if matters(each.printing, each.prediction)]
+
+
+def _explaining(candidates: Sequence[Candidate], columns: Columns, changes: int, rows: int) -> list[Explanation]:
+    """The candidates that print so many rows, each with the first way of printing that does."""
+    runs = [each.run for each in candidates]
+    runs = [run._replace(clock=run.clock.first(rows)) for run in runs]
     found = []
-    for each, prediction in zip(likely, predictions([each.run for each in likely]), strict=True):
+    for each, prediction in zip(candidates, predictions(runs), strict=True):
         for printing in _printings(changes - each.changes):
-            if matters(printing, prediction) and fits(prediction, printing, columns):
+            if fits(prediction, printing, columns):
                 found.append(Explanation(each, printing, prediction))
                 break
     return found
@@ -223,16 +239,10 @@ def _likely(candidates: Sequence[Candidate], columns: Columns, changes: int, row
 
 def _first_rows(candidates: Sequence[Candidate], rows: int) -> Prediction:
     """[candidate, row]: what they print."""
-    clocks = [each.run.clock for each in candidates]
-    clocks = [clock._replace(steps=clock.steps[:rows]) for clock in clocks]
+    clocks = [each.run.clock.first(rows) for each in candidates]
     motion = replay([each.program for each in candidates], clocks, [each.reading.start for each in candidates])
     alpha = np.array([[each.program.sign * each.reading.start.alpha] for each in candidates])
-    unsure = np.stack(
-        [
-            each.timing.clock.unsure[:rows] + 2 * each.timing.clock.doubt * clock.t
-            for each, clock in zip(candidates, clocks, strict=True)
-        ]
-    )
+    unsure = np.stack([clock.unsure + 2 * clock.doubt * clock.t for each, clock in zip(candidates, clocks, strict=True)])
     with np.errstate(invalid="ignore", over="ignore"):
         late = (np.abs(motion.omega) * unsure, np.abs(alpha) * unsure)
         floors = [ROUGHLY * (1 + np.abs(each)) for each in motion]

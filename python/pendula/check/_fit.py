@@ -23,8 +23,11 @@ LEAST = 1e-4  # relative to the pendulum's own: a smaller term is no mistake tha
 LARGEST_STRETCH = 1e-3  # relative: the times show a period that is farther off
 ROUNDS = 12  # of Gauss and Newton's method
 SURE = 3  # after so many, they at least halve what is left where the term is the mistake
-STALLED = 1e3  # units of the digits printed, below which roundings may be all that is left
+STALLED = 30  # units of the digits printed, below which roundings may be all that is left
+NEAR = 1e-5  # rad, and of ω/√α: what is unknown may be worth that in a row
 MOST_STEPS = 1 << 20
+MOST_FITTED = 1 << 14  # steps
+FEWEST_ROWS = 20
 BESIDE = ("euler_cromer", "euler", "verlet", "heun", "midpoint")  # methods with which such a term is left in
 FREQUENCIES = np.arange(0.05, 3.0, 0.05)  # of a drive, tried first, in those of small swings
 
@@ -115,10 +118,39 @@ def _in_own_time(problem: Problem, found: Explanation, columns: Columns, places:
     return found
 
 
+def _first_part(timing: Timing, columns: Columns) -> tuple[Timing, Columns]:
+    """The first rows, which tell a term's numbers in few steps."""
+    rows = max(FEWEST_ROWS, int(np.searchsorted(timing.clock.steps, MOST_FITTED)))
+    t, theta, omega = (each._replace(values=each.values[:rows], units=each.units[:rows]) for each in columns[:3])
+    return timing._replace(clock=timing.clock.first(rows)), columns._replace(t=t, theta=theta, omega=omega)
+
+
 def _fit(problem: Problem, timing: Timing, columns: Columns, term: Term, stepper: Mistake | None) -> Explanation | None:
     base = stepper.of(RIGHT) if stepper else RIGHT
-    numbers = np.array(_nearest(problem, timing, columns, term, base))
-    size, least = np.inf, STALLED * float(np.linalg.norm(np.append(columns.theta.units, columns.omega.units)))
+    first = _first_part(timing, columns)
+    numbers: Floats | None = np.array(_nearest(problem, *first, term, base))
+    for part in (first, (timing, columns)):
+        numbers = None if numbers is None else _converged(problem, *part, term, base, numbers)
+    if numbers is None or abs(numbers[0] - term.nothing) < LEAST * (term.guesses[0][0] - term.nothing) * 100:
+        return None
+    mistake = term.made(_round(numbers, columns.digits))
+    mistakes = (mistake, stepper) if stepper else (mistake,)
+    fallback = term.made(numbers)
+    for each in (mistake, fallback):
+        reading = Reading(taken(each.of(RIGHT), problem))
+        candidate = Candidate(each.of(base), reading, timing, (each, *mistakes[1:]))
+        prediction = predictions([candidate.run])[0]
+        # A fitted number makes up for a part of what is unknown, and is itself no nearer than that.
+        wider = prediction._replace(theta_slack=3 * prediction.theta_slack, omega_slack=3 * prediction.omega_slack)
+        if fits(wider, AS_ASKED, columns):
+            return Explanation(candidate, AS_ASKED, prediction)
+    return None
+
+
+def _converged(problem: Problem, timing: Timing, columns: Columns, term: Term, base: Program, numbers: Floats) -> Floats | None:
+    """The numbers with which the term prints the states best; None where it does not print them."""
+    printed = float(np.linalg.norm(np.append(columns.theta.units, columns.omega.units)))
+    size, least = np.inf, max(STALLED * printed, NEAR * float(np.sqrt(columns.t.values.size)))
     for turn in range(ROUNDS):
         tried = [numbers, *(numbers + step for step in np.diag(1e-6 * np.maximum(np.abs(numbers), 1e-3)))]
         residuals = _residuals(problem, [timing.clock], columns, [term.made(each).of(base) for each in tried])
@@ -131,20 +163,7 @@ def _fit(problem: Problem, timing: Timing, columns: Columns, term: Term, stepper
         numbers = numbers + change
         if np.all(np.abs(change) <= 1e-9 * np.abs(numbers)):
             break
-    mistake = term.made(_round(numbers, columns.digits))
-    mistakes = (mistake, stepper) if stepper else (mistake,)
-    fallback = term.made(numbers)
-    for each in (mistake, fallback):
-        reading = Reading(taken(each.of(RIGHT), problem))
-        if abs(numbers[0] - term.nothing) < LEAST * (term.guesses[0][0] - term.nothing) * 100:
-            return None
-        candidate = Candidate(each.of(base), reading, timing, (each, *mistakes[1:]))
-        prediction = predictions([candidate.run])[0]
-        # A fitted number makes up for a part of what is unknown, and is itself no nearer than that.
-        wider = prediction._replace(theta_slack=3 * prediction.theta_slack, omega_slack=3 * prediction.omega_slack)
-        if fits(wider, AS_ASKED, columns):
-            return Explanation(candidate, AS_ASKED, prediction)
-    return None
+    return numbers if size <= least else None
 
 
 def _round(numbers: Floats, digits: int) -> Floats:

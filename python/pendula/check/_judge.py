@@ -60,10 +60,10 @@ def _judged(problem: Problem, table: Table) -> Judgement:
         is_told = any(finding.name in ("no_time", "cartesian") for finding in findings)
         return Judgement(findings if is_told else [*findings, _without_states(table)], {})
     # As the header says or, where only that makes the states right, in another order.
-    is_twice = len(table.values) > 2 and np.array_equal(table.values[0], table.values[1])
+    is_twice = len(table.values) > 1 and np.array_equal(table.values[0], table.values[1])
     if is_twice:
         table = _without_first(table)
-        found = [(name, _without_first_row(columns)) for name, columns in found if columns.lines.size > 2]
+        found = [(name, _without_first_row(columns)) for name, columns in found if columns.lines.size > 1]
     views = [(name, view_of(problem, table, columns)) for name, columns in found]
     name, view, of_states = _best(problem, views)
     if name:

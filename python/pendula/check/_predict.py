@@ -112,7 +112,8 @@ def right_prediction(clock: Clock, start: Start) -> Prediction:
     else:
         by_rk4 = by_closed_form(start, clock)
     theta_error, omega_error = np.abs(wrap(by_rk4.theta - theta)), np.abs(by_rk4.omega - omega)
-    errors = (np.maximum.accumulate(2 * np.nan_to_num(error, nan=np.inf)) for error in (theta_error, omega_error))
+    twice = 2 * clock.coarser**4  # Runge-Kutta's error goes as the fourth power of the step
+    errors = (np.maximum.accumulate(twice * np.nan_to_num(error, nan=np.inf)) for error in (theta_error, omega_error))
     theta_slack, omega_slack = (a + b for a, b in zip(errors, by_rk4[2:4], strict=True))
     return Prediction(wrap(theta), omega, theta_slack, omega_slack, theta)
 
@@ -147,6 +148,7 @@ def wrong_locally(start: Start, clock: Clock, columns: Columns) -> tuple[npt.NDA
     units = [np.minimum(unit, FAR * scale) for unit, scale in zip(units, (1.0, rate), strict=True)]
     theta, omega = columns.theta.values[:-1], columns.omega.values[:-1]
     finite = (np.abs(theta) < FAR) & (np.abs(omega) < FAR * rate)
+    finite &= np.abs(omega) * between * np.float64(clock.dt) < FAR  # beyond, no digits tell the angle
     theta, omega = np.where(finite, theta, 0), np.where(finite, omega, 0)
     t = between * np.float64(clock.dt)
     # As printed, and one unit to either side: near the top they part.
@@ -158,12 +160,15 @@ def wrong_locally(start: Start, clock: Clock, columns: Columns) -> tuple[npt.NDA
     clocks = [clock._replace(steps=between[i : i + 1]) for i in range(between.size)]
     by_rk4 = replay([RIGHT] * len(starts), clocks, starts)
     is_open = np.max([np.abs(np.asarray(motion[0]) - after[0][0]) for motion in after[1:]], axis=0) > DECIDES
+    open_time = clock.unsure[1:] + clock.unsure[:-1]
     for i, (each, column) in enumerate(zip(wrong, (columns.theta, columns.omega), strict=True)):
         there = np.asarray(after[0][i])
         spread = sum(np.abs(np.asarray(motion[i]) - there) for motion in after[1:])
         error = np.abs(by_rk4[i][:, 0] - there)
         off = column.values[1:] - there
-        slack = 2 * (spread + error + column.units[1:]) + ROUNDING * (1.0, rate)[i]
+        slack = (
+            2 * (spread + error + column.units[1:]) + ROUNDING * (1.0, rate)[i] + open_time * (np.abs(omega), start.alpha)[i]
+        )
         each[1:] = ~(np.abs(wrap(off) if i == 0 else off) <= slack) & ~is_open | ~finite
     return wrong
 

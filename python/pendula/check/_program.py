@@ -180,6 +180,12 @@ class Clock(NamedTuple):
     """How far off the step may be, relatively."""
     unsure: Floats
     """[row]: how far the times printed leave the row's time open [s]."""
+    coarser: float = 1.0
+    """How many times longer than dt a program's steps may be, of which the last before a row is shorter."""
+
+    def first(self, rows: int) -> Clock:
+        """The clock of the first rows alone."""
+        return self._replace(steps=self.steps[:rows], unsure=self.unsure[:rows])
 
     @property
     def t(self) -> Floats:

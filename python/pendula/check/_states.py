@@ -14,7 +14,7 @@ from pendula.check._fit import fitted
 from pendula.check._mistakes import SINGLE, Mistake
 from pendula.check._predict import AS_ASKED, DECIDES, MOST_WORK, Prediction, misfits, wrap, wrong_locally
 from pendula.check._program import RIGHT, Problem, Start, closed_form, replay, taken
-from pendula.check._timing import Timing, timings
+from pendula.check._timing import Timing, is_single, timings
 from pendula.check._view import View, first_wrong
 
 if TYPE_CHECKING:
@@ -36,18 +36,19 @@ def explained(problem: Problem, view: View, search: Search) -> list[Explanation]
     if rows > 1 and still and np.all(np.abs(columns.omega.values - columns.omega.values[0]) <= columns.omega.units):
         return Finding("nothing_moves", {}, where=where, alternatives=(error("integer_division"),))
     are_only_times = not any(wrong.any() for wrong in view.wrong[:2])
-    found = [] if are_only_times and view.are_cells else search.explanations(1)
+    found = [] if are_only_times else search.explanations(1)
+    if any(mistake.is_rare for each in found[:1] for mistake in each.candidate.mistakes) and _is_single(problem, view):
+        return [found[0]._replace(also=(error("single_precision"),)), *found[1:]]
     if found:
         return found
+    if are_only_times and not view.are_cells and is_single(columns.t, view.timing.clock):
+        return error("time_single")
     if view.are_cells:
         return Finding("wrong_cell", {"count": sum(int(each.sum()) for each in view.wrong)}, where=where)
     found = fitted(problem, view.timing, columns, view.places) or search.explanations(2)
     if found:
         return found
-    if any(
-        _in_single_precision(problem, timing, columns)
-        for timing in timings(problem, taken(RIGHT, problem), columns.t, view.places)
-    ):
+    if _is_single(problem, view):
         return Finding("single_precision", {}, where=where, alternatives=(error("single_constants"),))
     found = search.explanations(3)
     if found:
@@ -97,6 +98,7 @@ def told(found: Sequence[Explanation], where: Where | None) -> list[Finding]:
                 others[keys[i]] = other.mistakes[i]
         others.pop(own[i], None)
         alternatives = tuple(error(each.name, **each.values) for each in list(others.values())[:3])
+        alternatives += found[0].also if i == 0 else ()
         findings.append(Finding(mistake.name, dict(mistake.values), where=where if i == 0 else None, alternatives=alternatives))
     return findings
 
@@ -126,10 +128,16 @@ def _symptoms(problem: Problem, view: View) -> dict[str, float | int | str]:
     return {"order": int(order) if 1 <= order <= 3 else "?", "energy": how}
 
 
+def _is_single(problem: Problem, view: View) -> bool:
+    """Whether single precision explains the states."""
+    found = timings(problem, taken(RIGHT, problem), view.columns.t, view.places)
+    return any(_in_single_precision(problem, timing, view.columns) for timing in found)
+
+
 def _in_single_precision(problem: Problem, timing: Timing, columns: Columns) -> bool:
     """Whether the states are as inaccurate as those of a run in single precision: within three times its errors."""
     clock = timing.clock
-    if not 0 < clock.steps.max() <= MOST_WORK:
+    if not 0 < clock.steps.max() <= MOST_WORK // 16:
         return False
     start = taken(RIGHT, problem)
     rounded = replay([SINGLE.of(RIGHT)], [clock], [start])
@@ -145,6 +153,8 @@ def _in_single_precision(problem: Problem, timing: Timing, columns: Columns) -> 
     wrong = misfits(Prediction(wrap(theta), omega, slacks[0], slacks[1], theta), AS_ASKED, columns.theta, columns.omega)
     # Where its roundings decide, each row must follow from the one before.
     is_open = ~(slacks[0] <= DECIDES)
+    if any(each[~is_open].any() for each in wrong):
+        return False
     near = wrong_locally(start, clock, _widened(columns, SINGLE_IN_A_ROW, SINGLE_IN_A_ROW * math.sqrt(start.alpha)))
     return not any((np.where(is_open, local, far)).any() for far, local in zip(wrong, near, strict=True))
 

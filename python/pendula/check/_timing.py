@@ -100,6 +100,9 @@ def timings(problem: Problem, start: Start, t: Column, places: Floats, pi: float
         dt = factor_dt * tau
         expected = int(min(problem.rows, MOST_STEPS))
         findings = (error("one_row", expected=expected),) if grid.rows == 1 and problem.rows > 1 else ()
+        if grid.rows > 1 or (problem.rows == 1 and abs(float(t.values[0])) > float(t.units[0])):
+            yield Timing(_numbered(problem, grid, dt), tau, (*findings, error("times_off")))
+            return
         yield Timing(_clock(t, grid, dt, dt * problem.steps_per_row, KNOWN), tau, findings)
         return
     right = tau * (pi / math.pi)
@@ -107,12 +110,8 @@ def timings(problem: Problem, start: Start, t: Column, places: Floats, pi: float
         for timing in _timing(problem, t, grid, right, ()):
             yield timing._replace(tau=timing.tau * (math.pi / pi))
         clock = _numbered(problem, grid, factor_dt * right)
-        if not _is_on_time(t, grid, factor_every * right) and _is_single(t, clock):
+        if not _is_on_time(t, grid, factor_every * right) and is_single(t, clock):
             yield Timing(clock, tau, (error("time_single"),))
-        return
-    counted = _miscounted(problem, tau, t, grid)
-    if counted is not None:
-        yield counted
         return
     of_run = problem.every * problem.until / problem.tau
     is_whole_run = abs(t.values[-1] - problem.until) < of_run and abs(problem.until / problem.tau - 1) > PERIOD
@@ -129,10 +128,13 @@ def timings(problem: Problem, start: Start, t: Column, places: Floats, pi: float
             tuple({each.name: each for each in said[1:] if each.name != said[0].name}.values())[:2] if len(said) > 1 else ()
         )
         yield from _timing(problem, t, grid, known[0][1], (said[0]._replace(alternatives=others),))
+    elif counted := _miscounted(problem, tau, t, grid):
+        yield counted
+        return
     else:
         yield from _other_spacings(problem, start, t, grid)
     clock = _numbered(problem, grid, factor_dt * tau)
-    name = "time_single" if _is_single(t, clock) else "times_off"
+    name = "time_single" if is_single(t, clock) else "times_off"
     yield Timing(clock, tau, (error(name),))
 
 
@@ -155,7 +157,7 @@ def _miscounted(problem: Problem, tau: float, t: Column, grid: Grid) -> Timing |
     return None
 
 
-def _is_single(t: Column, clock: Clock) -> bool:
+def is_single(t: Column, clock: Clock) -> bool:
     """Whether the times are no farther off than single precision makes sums of so many steps."""
     late = np.finfo(np.float32).eps * np.abs(clock.t) * (1 + clock.steps / 4)
     return bool(np.all(np.abs(t.values - clock.t) <= t.units + np.minimum(late, clock.dt)))
@@ -241,10 +243,15 @@ def _clock(t: Column, grid: Grid, dt: float, every: float, doubt: float) -> Cloc
     slack = t.units + 1e-9 * np.abs(values)
     is_at_end = np.abs(values - np.round(values / dt) * dt) <= slack + PERIOD * np.abs(values)
     is_on_grid = np.abs(values - nominal) <= slack + (0 if is_at_end.all() else 0.01 * dt)
-    unsure = np.zeros_like(values)
+    unsure, coarser = np.zeros_like(values), 1.0
     if np.sum(~is_on_grid) <= one_of(values.size):
         whole = np.ceil(every / dt * (1 - 1e-9))
-        steps, dt = places * whole, every / whole
+        longest, dt = dt, every / whole
+        # A sum of many Δt prints a row, now and then, at the end of the next step; few digits do not show it.
+        is_late = (np.abs(values - nominal - dt) <= slack) & (t.units < 0.4 * dt) & (whole > 1)
+        steps = places * whole + is_late
+        unsure = np.where((t.units > 0.4 * dt) & (whole > 1) & (places > 0), dt, 0.0)
+        coarser = max(longest / dt, 1.0)
     else:
         off = np.abs(values - nominal) > max(every / 2, 1.01 * dt) + t.units
         values = np.where(off, nominal, values) if np.sum(off) <= one_of(values.size) else values
@@ -252,7 +259,7 @@ def _clock(t: Column, grid: Grid, dt: float, every: float, doubt: float) -> Cloc
         unsure = np.where(t.units > 0.4 * dt, t.units, 0)
     # A row that is earlier than the one before is wrong by its time.
     steps = np.maximum.accumulate(np.clip(steps, 0, MOST_STEPS))
-    return Clock(steps.astype(np.int64), dt, doubt, unsure)
+    return Clock(steps.astype(np.int64), dt, doubt, unsure, coarser)
 
 
 def _other_spacings(problem: Problem, start: Start, t: Column, grid: Grid) -> Iterator[Timing]:

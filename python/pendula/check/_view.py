@@ -10,6 +10,7 @@ from pendula.check._finding import Where
 from pendula.check._predict import (
     AS_ASKED,
     DECIDES,
+    MOST_WORK,
     Prediction,
     are_cells,
     by_closed_form,
@@ -17,9 +18,10 @@ from pendula.check._predict import (
     not_judged_from,
     right_prediction,
     wrap,
+    wrong_in_energy,
     wrong_locally,
 )
-from pendula.check._program import RIGHT, Problem, taken
+from pendula.check._program import RIGHT, Clock, Problem, Start, taken
 from pendula.check._sinusoid import fits, right_sinusoid
 from pendula.check._table import ROLES, WORDS, Column, Columns
 from pendula.check._timing import Timing, timings
@@ -29,6 +31,9 @@ if TYPE_CHECKING:
 
     from pendula.check._program import Floats
     from pendula.check._table import Table
+
+
+LOOSE = 1e-4  # rad: beyond, what roundings may be worth hides wrong cells, and rows must follow from those before
 
 
 class Deviation(NamedTuple):
@@ -77,19 +82,38 @@ def view_of(problem: Problem, table: Table, columns: Columns) -> View:
         wanted = right_prediction(timing.clock, start)
         wrong = misfits(wanted, AS_ASKED, columns.theta, columns.omega)
         judged = not_judged_from(wanted)
-        if judged < columns.t.values.size:
-            local = wrong_locally(start, timing.clock, columns)
-            on_time = by_closed_form(start, timing.clock)
-            closed = [
-                each | ~(on_time.theta_slack <= DECIDES) for each in misfits(on_time, AS_ASKED, columns.theta, columns.omega)
-            ]
-            wrong = tuple(
-                np.append(each[:judged], (near & far)[judged:]) for each, near, far in zip(wrong, local, closed, strict=True)
-            )
+        far = int(np.any([each[:judged] for each in wrong], axis=0).sum())
+        if np.any(wanted.theta_slack > LOOSE) and are_cells(far, columns.t.values.size):
+            wrong = _from_row_to_row(start, timing.clock, columns, wanted, wrong)
         views.append(View(columns, places, timing, wanted, (*wrong, _wrong_times(columns.t, timing)), judged))
         if views[-1].is_right:
             return views[-1]
     return views[0]
+
+
+def _from_row_to_row(
+    start: Start, clock: Clock, columns: Columns, wanted: Prediction, wrong: tuple[npt.NDArray[np.bool_], ...]
+) -> tuple[npt.NDArray[np.bool_], ...]:
+    """Wrong rows where roundings may have grown: those that do not follow from the row before are wrong, too.
+
+    From the row that is not judged on, a row is wrong that neither follows nor has the closed form's state, or whose energy is
+    not that of the start.
+    """
+    judged = not_judged_from(wanted)
+    is_loose = wanted.theta_slack > LOOSE
+    near = wrong_locally(start, clock, columns)
+    # A row does not follow from a wrong one: of rows one after another, the last may be right.
+    any_near = np.append(near[0] | near[1], False)
+    may_be_right = np.append(False, any_near[:-2]) & ~any_near[1:]
+    near = tuple(each & is_loose & ~may_be_right for each in near)
+    wrong = tuple(far | local for far, local in zip(wrong, near, strict=True))
+    if judged == is_loose.size:
+        return wrong
+    on_time = by_closed_form(start, clock)
+    closed = [each | ~(on_time.theta_slack <= DECIDES) for each in misfits(on_time, AS_ASKED, columns.theta, columns.omega)]
+    energy = wrong_in_energy(clock, start, columns) if clock.steps[-1] <= MOST_WORK // 4 else np.zeros_like(is_loose)
+    tails = (closed[0] & near[0] | energy, closed[1] & near[1])
+    return tuple(np.append(each[:judged], tail[judged:]) for each, tail in zip(wrong, tails, strict=True))
 
 
 def _wrong_times(t: Column, timing: Timing) -> npt.NDArray[np.bool_]:

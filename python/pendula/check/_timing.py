@@ -100,7 +100,7 @@ def timings(problem: Problem, start: Start, t: Column, places: Floats, pi: float
         dt = factor_dt * tau
         expected = int(min(problem.rows, MOST_STEPS))
         findings = (error("one_row", expected=expected),) if grid.rows == 1 and problem.rows > 1 else ()
-        if grid.rows > 1 or (problem.rows == 1 and abs(float(t.values[0])) > float(t.units[0])):
+        if grid.rows > 1 or (problem.rows == 1 and abs(float(t.values[0])) > 1e-6 * dt):
             yield Timing(_numbered(problem, grid, dt), tau, (*findings, error("times_off")))
             return
         yield Timing(_clock(t, grid, dt, dt * problem.steps_per_row, KNOWN), tau, findings)

@@ -26,44 +26,43 @@ theta0_degrees_inverted, omega0_degrees_inverted, both_degrees_inverted, rough_p
 start_exchanged, omega0_is_root_alpha, omega0_forgotten, theta0_forgotten, theta0_integer, omega0_integer,
 single_constants
 # alpha
-alpha_root, alpha_square, alpha_inverse, alpha_unused, alpha_integer, alpha_gravity alpha, alpha_product g, alpha_factor alpha given
+alpha_root, alpha_square, alpha_inverse, alpha_unused, alpha_integer, alpha_gravity alpha, alpha_product g,
+alpha_factor alpha given
 # period
-period_doubled, period_halved, period_without_half, period_a formula, period_first_term, period_small, period_modulus r, theta_max formula,
-period_alpha factor, series_cut relative, series_other formula, series_without_first, series_not_squared, logarithm_base_10,
-limit_not_0999, limit_099, regime k, tau_off ratio, tau every spacing
+period_doubled, period_halved, period_without_half, period_a formula, period_first_term, period_small,
+period_modulus r, theta_max formula, period_alpha factor, series_cut relative, series_other formula,
+series_without_first, series_not_squared, logarithm_base_10, limit_not_0999, limit_099, regime k, tau_off ratio,
+tau every spacing
 # stepper
 euler, euler_cromer, euler_theta_first, verlet, midpoint, heun, runge_kutta_3, single_precision, own_slopes,
 own_slopes_theta, own_slopes_omega, own_slopes_omega_first, own_slopes_h_missing, own_slopes_h_squared, own_index,
-h_missing_stages, h_missing_d, h_twice, half_kept_d equation, halves_forgotten equation, estimate_left_out stage equation,
-half_forgotten_b equation, half_forgotten_c equation,
-half_of_sum equation, stage_repeated stage source equation,
-stages_accumulate, integer_half, theta_before_omega, omega_before_theta, misprint_two_theta, misprint_theta_c_alone, misprint_theta_n,
-weights_unsorted equation, weights_sixth equation, weights_two_missing stage equation, weights_equal equation,
-weights_sum sum, weights_third_missing, weights_other weights equation,
-slope_left_out stage equation, integer_division, nothing_moves, estimates_of_theta_ignored,
+h_missing_stages, h_missing_d, h_twice, half_kept_d equation, halves_forgotten equation, half_forgotten_b equation,
+half_forgotten_c equation, half_of_sum equation, estimate_left_out stage equation,
+stage_repeated stage source equation, stages_accumulate, integer_half, theta_before_omega, omega_before_theta,
+misprint_two_theta, misprint_theta_c_alone, misprint_theta_n, weights_unsorted equation, weights_sixth equation,
+weights_two_missing stage equation, weights_equal equation, weights_other weights equation, weights_sum sum,
+weights_third_missing, slope_left_out stage equation, integer_division, nothing_moves, estimates_of_theta_ignored,
 estimates_of_omega_ignored, wrong_sign_in_stage stage
 # equation
-stage_without_alpha stage, linear, cosine, sine_cubic, sine_quintic, sine_of_degrees factor, upside_down, damping beta, torque torque,
-drive amplitude frequency, length_in_force
+stage_without_alpha stage, linear, cosine, sine_cubic, sine_quintic, sine_of_degrees factor, upside_down, damping beta,
+torque torque, drive amplitude frequency, length_in_force
 # rows
-step_late, step_early, step_late_but_first, step_early_but_first, omega_behind, omega_ahead,
-theta_behind, theta_ahead, time_twice, row_late, row_early, late_start first,
-starts_at_step first, starts_at_interval first, first_row_twice, every_step, step_is_interval,
-seconds every spacing, interval_of_run every spacing, interval_miscounted steps wanted, time_single, interval_rounded every spacing, times_in_periods,
-times_off, uneven_rows row every, one_row expected, last_row_lost until, last_row_won until last,
-early_end last until rows expected, late_end last until rows expected, not_judged t, wrong_cell count,
-unexplained order energy, other_start theta omega theta0 omega0
+step_late, step_early, step_late_but_first, step_early_but_first, omega_behind, omega_ahead, theta_behind, theta_ahead,
+time_twice, row_late, row_early, late_start first, starts_at_step first, starts_at_interval first, first_row_twice,
+every_step, step_is_interval, seconds every spacing, interval_miscounted steps wanted, interval_of_run every spacing,
+interval_rounded every spacing, times_in_periods, time_single, times_off, uneven_rows row every, one_row expected,
+last_row_lost until, last_row_won until last, early_end last until rows expected, late_end last until rows expected,
+not_judged t, wrong_cell count, other_start theta omega angle velocity, unexplained order energy
 # printing
-angle_in_degrees, velocity_in_degrees, velocity_along g, not_normalised, wraps_one_side, wraps_fmod, wraps_zero_to_two_pi,
-wraps_closed_above, theta_absolute, theta_negated, omega_negated, acceleration_printed, omega_absolute, omega_difference over, omega_normalised
+angle_in_degrees, velocity_in_degrees, velocity_along g, not_normalised, wraps_one_side, wraps_fmod,
+wraps_zero_to_two_pi, wraps_closed_above, theta_absolute, theta_negated, omega_negated, acceleration_printed,
+omega_absolute, omega_difference over, omega_normalised
 # sinusoid
-sine_missing, sine_too_many, sine_not_numbers line, sine_other_sign, sine_no_phase, sine_from_rest, sine_phase_outside, sine_quarter_turn,
-sine_initial_amplitude, sine_small_period, sine_harmonic, sine_double_period, sine_half_period, sine_rate rate,
-sine_without_two_pi,
-sine_period_inverted, sine_without_period,
-sine_without_amplitude, sine_in_degrees, sine_phase_degrees, sine_argument_degrees, sine_phase_theta0, sine_phase_is_theta0,
-sine_phase_scaled, sine_by_acos, sine_negated, sine_step_late, sine_row_late, sine_is_the_angle,
-sine_not_wrapped, sine_unexplained
+sine_missing, sine_too_many, sine_not_numbers line, sine_other_sign, sine_no_phase, sine_from_rest, sine_phase_outside,
+sine_quarter_turn, sine_initial_amplitude, sine_small_period, sine_harmonic, sine_double_period, sine_half_period,
+sine_rate rate, sine_without_two_pi, sine_period_inverted, sine_without_period, sine_without_amplitude,
+sine_in_degrees, sine_phase_degrees, sine_argument_degrees, sine_phase_theta0, sine_phase_is_theta0, sine_phase_scaled,
+sine_by_acos, sine_negated, sine_step_late, sine_row_late, sine_is_the_angle, sine_not_wrapped, sine_unexplained
 """
 VALUES = {
     name: tuple(values)
@@ -87,7 +86,7 @@ SAMPLES: dict[str, Value] = {
     "stage": "B, C, D",
     "weights": "1/8, 3/8, 3/8, 1/8",
     **dict.fromkeys(("steps", "wanted"), 10001),
-    **dict.fromkeys(("theta", "omega", "theta0", "omega0"), -0.0123456789012),
+    **dict.fromkeys(("theta", "omega", "angle", "velocity"), -0.0123456789012),
     "source": "A",
     "equation": "θ, ω",
     "order": 3,

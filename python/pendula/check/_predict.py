@@ -144,7 +144,8 @@ def wrong_locally(start: Start, clock: Clock, columns: Columns) -> tuple[npt.NDA
     if between.max(initial=0) > MOST_WORK // 64 or between.size == 0:
         return wrong
     rate = float(np.sqrt(start.alpha))
-    units = [columns.theta.units[:-1] + ROUNDING, columns.omega.units[:-1] + ROUNDING * rate]
+    speed = rate + np.minimum(np.abs(columns.omega.values[:-1]), FAR * rate)
+    units = [columns.theta.units[:-1] + ROUNDING, columns.omega.units[:-1] + ROUNDING * speed]
     units = [np.minimum(unit, FAR * scale) for unit, scale in zip(units, (1.0, rate), strict=True)]
     theta, omega = columns.theta.values[:-1], columns.omega.values[:-1]
     finite = (np.abs(theta) < FAR) & (np.abs(omega) < FAR * rate)
@@ -167,7 +168,7 @@ def wrong_locally(start: Start, clock: Clock, columns: Columns) -> tuple[npt.NDA
         error = np.abs(by_rk4[i][:, 0] - there)
         off = column.values[1:] - there
         slack = (
-            2 * (spread + error + column.units[1:]) + ROUNDING * (1.0, rate)[i] + open_time * (np.abs(omega), start.alpha)[i]
+            2 * (spread + error + column.units[1:]) + ROUNDING * (1.0, speed)[i] + open_time * (np.abs(omega), start.alpha)[i]
         )
         each[1:] = ~(np.abs(wrap(off) if i == 0 else off) <= slack) & ~is_open | ~finite
     return wrong

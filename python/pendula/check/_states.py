@@ -74,7 +74,7 @@ def _other_start(problem: Problem, view: View) -> Finding | None:
     start = Start(theta, omega, alpha)
     if any(wrong.any() for wrong in wrong_locally(start, clock, columns)):
         return None
-    values: dict[str, Value] = {"theta": theta, "omega": omega, "theta0": float(wrap(np.array(theta0))), "omega0": omega0}
+    values: dict[str, Value] = {"theta": theta, "omega": omega, "angle": float(wrap(np.array(theta0))), "velocity": omega0}
     return Finding("other_start", values, where=first_wrong(view))
 
 

@@ -256,7 +256,7 @@ def _clock(t: Column, grid: Grid, dt: float, every: float, doubt: float) -> Cloc
         off = np.abs(values - nominal) > max(every / 2, 1.01 * dt) + t.units
         values = np.where(off, nominal, values) if np.sum(off) <= one_of(values.size) else values
         steps = np.round(values / dt)
-        unsure = np.where(t.units > 0.4 * dt, t.units, 0)
+        unsure = np.where((t.units > 0.4 * dt) & (places > 0), t.units, 0)
     # A row that is earlier than the one before is wrong by its time.
     steps = np.maximum.accumulate(np.clip(steps, 0, MOST_STEPS))
     return Clock(steps.astype(np.int64), dt, doubt, unsure, coarser)

@@ -215,12 +215,22 @@ def _explaining(candidates: Sequence[Candidate], columns: Columns, changes: int,
     runs = [each.run for each in candidates]
     runs = [run._replace(clock=run.clock.first(rows)) for run in runs]
     found = []
-    for each, prediction in zip(candidates, predictions(runs), strict=True):
+    for each, exact in zip(candidates, predictions(runs), strict=True):
+        prediction = _wrapped_with(each.reading, exact)
         for printing in _printings(changes - each.changes):
             if fits(prediction, printing, columns):
                 found.append(Explanation(each, printing, prediction))
                 break
     return found
+
+
+def _wrapped_with(reading: Reading, prediction: Prediction) -> Prediction:
+    """The prediction of a program that takes another number for π in each turn, too."""
+    turns = np.abs(np.rint(prediction.turning / (2 * np.pi)))
+    off = 2 * abs(reading.pi - math.pi) * np.maximum.accumulate(turns)
+    return prediction._replace(
+        theta_slack=prediction.theta_slack + off, omega_slack=prediction.omega_slack + off * math.sqrt(reading.start.alpha)
+    )
 
 
 def _likely(candidates: Sequence[Candidate], columns: Columns, changes: int, rows: int) -> list[Candidate]:

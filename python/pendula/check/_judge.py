@@ -199,7 +199,8 @@ def _of_states(problem: Problem, view: View, found: list[Explanation] | Finding 
         in_time = [each for each in in_time if each.name not in ("series_cut", "tau", "tau_off", "uneven_rows", "times_off")]
     findings += in_time
     findings = _misjudged(problem, start, columns, findings)
-    findings += of_wrapping(columns.theta.scaled(1 / printing.theta_factor), prediction, printing.form, columns)
+    if all(each.name != "rough_pi" for each in findings):  # the wrapping has the same π
+        findings += of_wrapping(columns.theta.scaled(1 / printing.theta_factor), prediction, printing.form, columns)
     if all(each.name != "regime" for each in findings):
         of_sine = of_sinusoid(problem, start, timing, columns, is_rough, printing.theta_factor, doubt)
         # What explains the period and the sinusoid is told once.

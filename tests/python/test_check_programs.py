@@ -36,6 +36,7 @@ ROWS = {
     ),
     *("last_row_lost", "last_row_won", "early_end", "late_end", "tau", "period_doubled", "period_halved"),
     "interval_of_run",
+    "interval_miscounted",
 }
 
 

@@ -89,8 +89,13 @@ def tables(text: str, notes: tuple[Note, ...] = ()) -> list[Table]:
     """
     found: list[Table] = []
     before: list[Line] = []
-    for run in runs_of(text):
+    runs = runs_of(text)
+    words = sum(len(run.others) + len(run.header_lines) for run in runs)
+    is_prose = words >= MANY_WORDS and words > sum(len(run.rows) for run in runs)
+    for run in runs:
         for part, (lines, others) in enumerate(_parts_of(run, before)):
+            if is_prose and not _is_table(run, lines):
+                continue
             found.append(_table(run, lines, others, notes, is_first=part == 0))
             if len(found) > MOST_TABLES:
                 raise UnreadableError("many tables", MOST_TABLES)
@@ -105,6 +110,8 @@ JUDGED_BY = 200  # rows
 PLACE = attrgetter("place")
 LONGEST_SLIP = 3  # letters in the place of a first number; more are a word
 SHORT = 3  # rows; fewer may be numbers that a program prints before its table
+MANY_WORDS = 10  # lines with words; a source, a report or a page has more of them than rows
+LONG = 10  # rows, that are no chance among words
 
 
 def _parts_of(run: Run, before: list[Line]) -> list[tuple[list[Line], list[Line]]]:
@@ -181,6 +188,20 @@ def _is_afterword(part: Sequence[Line], table: Sequence[Line]) -> bool:
         return False
     is_analysis = part[0].size == 3 and part[0].numbers.split()[0] in ("-1", "1")
     return is_analysis or part[0].size != _width(table)
+
+
+def _is_table(run: Run, rows: Sequence[Line]) -> bool:
+    """Whether rows among many lines of words are a table: right below its header, or one below another as times rise."""
+    width = _width(rows)
+    roles = roles_of(fitting(run.headers, width))
+    if "theta" in roles and len(roles) > 1 and rows[0].kind.name == ROW and run.header_lines:
+        above = run.header_lines[0].place
+        return sum(above < line.place < rows[0].place for line in run.others) < 2  # one line may hold the units
+    inside = sum(rows[0].place < line.place < rows[-1].place for line in run.others)
+    if width < len(STATE) or len(rows) < SHORT or inside > 2 * len(rows):
+        return False
+    rises = sum(one < other for one, other in pairwise(time_of(line, 0) for line in rows))
+    return len(rows) >= LONG or rises == len(rows) - 1
 
 
 def _table(run: Run, rows: list[Line], others: list[Line], notes: tuple[Note, ...], is_first: bool) -> Table:

@@ -24,7 +24,8 @@ from pendula.check._columns import (
     roles_of,
 )
 from pendula.check._digits import Floats, Integers, cells_of, units_of
-from pendula.check._lines import PLAIN, ROW
+from pendula.check._lines import PLAIN, ROW, width_of
+from pendula.check._prose import has_many_words, is_table, lines_below_header, pieces_of
 from pendula.check._records import Run, runs_of, starts_of, time_of
 from pendula.check._text import MOST_TABLES, UNREADABLE, Note, UnreadableError, contents, decoded, opened
 
@@ -90,12 +91,10 @@ def tables(text: str, notes: tuple[Note, ...] = ()) -> list[Table]:
     found: list[Table] = []
     before: list[Line] = []
     runs = runs_of(text)
-    words = sum(len(run.others) + len(run.header_lines) for run in runs)
-    is_prose = words >= MANY_WORDS and words > sum(len(run.rows) for run in runs)
+    is_prose = has_many_words(runs)
     for run in runs:
+        run.is_prose = is_prose
         for part, (lines, others) in enumerate(_parts_of(run, before)):
-            if is_prose and not _is_table(run, lines):
-                continue
             found.append(_table(run, lines, others, notes, is_first=part == 0))
             if len(found) > MOST_TABLES:
                 raise UnreadableError("many tables", MOST_TABLES)
@@ -110,15 +109,15 @@ JUDGED_BY = 200  # rows
 PLACE = attrgetter("place")
 LONGEST_SLIP = 3  # letters in the place of a first number; more are a word
 SHORT = 3  # rows; fewer may be numbers that a program prints before its table
-MANY_WORDS = 10  # lines with words; a source, a report or a page has more of them than rows
-LONG = 10  # rows, that are no chance among words
 
 
 def _parts_of(run: Run, before: list[Line]) -> list[tuple[list[Line], list[Line]]]:
     """The rows of each table, and other lines before and among them. `before` are lines that belong to the next table."""
     rows = [line for line in run.rows if line.size >= 2]
     others = sorted([*run.others, *(line for line in run.rows if line.size < 2)], key=PLACE)
-    parts = _split_at_falls(run, rows, others)
+    pieces = pieces_of(rows, others) if run.is_prose else [rows]
+    parts = [part for piece in pieces for part in _split_at_falls(run, piece, others)]
+    nearest = lines_below_header(run)
     kept: list[list[Line]] = []
     for place, part in enumerate(parts):
         following = parts[place + 1] if place + 1 < len(parts) else []
@@ -126,8 +125,10 @@ def _parts_of(run: Run, before: list[Line]) -> list[tuple[list[Line], list[Line]
             others.append(part.pop(0))
         if kept and _is_afterword(part, kept[-1]):
             others.append(part.pop())
-        if part:
+        if part and not (run.is_prose and not is_table(run, part, nearest)):
             kept.append(part)
+        else:
+            others += part
     others = sorted([*before, *others], key=PLACE)
     before.clear()
     found = []
@@ -143,7 +144,7 @@ def _parts_of(run: Run, before: list[Line]) -> list[tuple[list[Line], list[Line]
 def _split_at_falls(run: Run, rows: list[Line], others: list[Line]) -> list[list[Line]]:
     if not rows:
         return []
-    width = _width(rows)
+    width = width_of(rows)
     header = fitting(run.headers, width)
     if is_timeless(header, width):
         return [rows]
@@ -154,10 +155,6 @@ def _split_at_falls(run: Run, rows: list[Line], others: list[Line]) -> list[list
     breaks = {bisect(places, line.place) for line in others}
     starts = starts_of([time_of(line, place) for line in rows], breaks)
     return [rows[start:stop] for start, stop in pairwise([*starts, len(rows)])]
-
-
-def _width(rows: Sequence[Line]) -> int:
-    return Counter(line.size for line in rows).most_common(1)[0][0]
 
 
 def _place_of_time(rows: Sequence[Line], width: int) -> int:
@@ -178,7 +175,7 @@ def _is_preamble(part: Sequence[Line], following: Sequence[Line], run: Run, has_
         return True
     whole = first.size <= 3 and first.numbers.split()[0] in ("-1", "0", "1")
     if len(part) == 1:  # time falls back after it
-        return first.size <= 3 and len(following) >= SHORT and (whole or first.size != _width(following))
+        return first.size <= 3 and len(following) >= SHORT and (whole or first.size != width_of(following))
     return whole and len(part) > SHORT and (time_of(first, 0) < 0 or time_of(first, 0) >= time_of(part[1], 0))
 
 
@@ -187,26 +184,12 @@ def _is_afterword(part: Sequence[Line], table: Sequence[Line]) -> bool:
     if len(part) != 1 or time_of(part[0], 0) == 0:
         return False
     is_analysis = part[0].size == 3 and part[0].numbers.split()[0] in ("-1", "1")
-    return is_analysis or part[0].size != _width(table)
-
-
-def _is_table(run: Run, rows: Sequence[Line]) -> bool:
-    """Whether rows among many lines of words are a table: right below its header, or one below another as times rise."""
-    width = _width(rows)
-    roles = roles_of(fitting(run.headers, width))
-    if "theta" in roles and len(roles) > 1 and rows[0].kind.name == ROW and run.header_lines:
-        above = run.header_lines[0].place
-        return sum(above < line.place < rows[0].place for line in run.others) < 2  # one line may hold the units
-    inside = sum(rows[0].place < line.place < rows[-1].place for line in run.others)
-    if width < len(STATE) or len(rows) < SHORT or inside > 2 * len(rows):
-        return False
-    rises = sum(one < other for one, other in pairwise(time_of(line, 0) for line in rows))
-    return len(rows) >= LONG or rises == len(rows) - 1
+    return is_analysis or part[0].size != width_of(table)
 
 
 def _table(run: Run, rows: list[Line], others: list[Line], notes: tuple[Note, ...], is_first: bool) -> Table:
-    width = _width(rows)
-    damaged = [line for line in others if _is_damaged(line, rows, width, run.header_lines)]
+    width = width_of(rows)
+    damaged = [line for line in others if _is_damaged(line, rows, width, [] if run.is_prose else run.header_lines)]
     bad = {line.place for line in damaged} | {line.place for line in rows if line.size != width}
     rows = sorted([*rows, *damaged], key=PLACE) if damaged else rows
     cells = cells_of([line.numbers for line in rows], width)

@@ -666,6 +666,21 @@ def test_a_short_table_above_or_below_much_text_is_read(rows, source, is_above):
     assert [each.values.tolist() for each in found] == [FOUR[:rows]]
 
 
+def test_a_table_goes_on_behind_a_page_s_head_and_foot():
+    first, rest = PLAIN.split("0.29", 1)
+    between = "Página 1\nUniversidad\nPráctica 3\nPágina 2\n"
+    (table,) = tables("Péndulo\n" * 20 + f"{HEADER}\n{first}{between}0.29{rest}")
+    assert table.values.tolist() == FOUR
+
+
+@pytest.mark.parametrize("rows", [5, 51, 200])
+@pytest.mark.parametrize("source", SOURCES)
+def test_a_table_below_its_source_is_the_only_one(source, rows):
+    lines = "".join(f"{row / 8} 1.5 {-row} 0.25\n" for row in range(rows))
+    (table,) = tables(f"{SOURCES[source]}\n{HEADER}\n{lines}")
+    assert table.values.shape == (rows, 4)
+
+
 def test_a_table_without_a_header_among_words_is_read():
     prose = "El péndulo parte de 90 grados, con alfa = 1.\n" * 30
     (table,) = tables(prose + PLAIN + prose)

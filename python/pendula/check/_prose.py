@@ -18,16 +18,18 @@ if TYPE_CHECKING:
     from pendula.check._records import Run
 
 MANY_WORDS = 10  # lines; fewer are questions and messages of a program
+MOST_ROWS = 20  # for each line of words; where there are more, the words are headers and questions
 FEW, MANY = 3, 10  # rows; among words, there are often fewer than FEW by chance, and seldom MANY
 MOST_BETWEEN = 2  # lines of words between two rows of a table
+MOST_STEPS = 1.5  # of time between them, where there are more words
 
 
 def has_many_words(runs: Sequence[Run]) -> bool:
-    """Whether a text has many lines of words, and more of them than rows."""
+    """Whether a text has many lines of words, also for the rows that it has."""
     rows = [line for run in runs for line in run.rows]
     plain = sum(map(_is_plain, rows))
     words = sum(len(run.others) + len(run.header_lines) for run in runs) + len(rows) - plain
-    return words >= MANY_WORDS and words > plain
+    return words >= MANY_WORDS and MOST_ROWS * words > plain
 
 
 def _is_plain(row: Line) -> bool:
@@ -41,17 +43,22 @@ def _words_of(row: Line) -> tuple[str, ...]:
 
 
 def pieces_of(rows: Sequence[Line], others: Sequence[Line]) -> list[list[Line]]:
-    """Rows that are alike, with hardly a line of words between."""
+    """Rows that are alike, with hardly a line of words between, or with times that go on behind it."""
     places = [line.place for line in others]
     pieces: list[list[Line]] = []
-    before: Line | None = None
     for line in rows:
-        is_far = before is None or bisect(places, line.place) - bisect(places, before.place) > MOST_BETWEEN
-        if before is None or is_far or _words_of(line) != _words_of(before):
+        before = pieces[-1][-1] if pieces else line
+        is_near = bisect(places, line.place) - bisect(places, before.place) <= MOST_BETWEEN
+        if not pieces or _words_of(line) != _words_of(before) or not (is_near or _goes_on(pieces[-1], line)):
             pieces.append([])
         pieces[-1].append(line)
-        before = line
     return pieces
+
+
+def _goes_on(piece: Sequence[Line], line: Line) -> bool:
+    """Whether the time of a row is that of the next one."""
+    first, last = time_of(piece[0], 0), time_of(piece[-1], 0)
+    return 0 < (time_of(line, 0) - last) * (len(piece) - 1) < MOST_STEPS * (last - first)
 
 
 def lines_below_header(run: Run) -> list[int]:
@@ -68,11 +75,12 @@ def is_table(run: Run, rows: Sequence[Line], nearest: Sequence[int]) -> bool:
     width = width_of(rows)
     if run.header_lines and _is_headed(rows, fitting(run.headers, width), nearest):
         return True
-    if width < len(STATE) or len(rows) < FEW:
+    if len(rows) < FEW:
         return False
     is_plain = _is_plain(rows[0])
     rises = all(one < other for one, other in pairwise(time_of(line, 0) for line in rows))
-    return is_plain + rises + (len(rows) >= MANY) > 1  # numbers in code or in sentences are one of these
+    signs = is_plain + rises + (len(rows) >= MANY)  # numbers in code or in sentences have one of these
+    return signs > (1 if width >= len(STATE) else 2)
 
 
 def _is_headed(rows: Sequence[Line], header: tuple[str, ...], nearest: Sequence[int]) -> bool:

@@ -29,7 +29,7 @@ class Run:
         """Lines that are no rows."""
         self.is_before_header = False
         self.is_prose = False
-        """Whether all of the text has many more lines of words than rows."""
+        """Whether all of the text has many lines of words."""
         self.is_folded = False
         self.commas: tuple[int, int] | None = None
         """The first line with decimal commas among commas, and how many such lines cannot be read."""

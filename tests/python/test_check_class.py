@@ -3,6 +3,7 @@
 import base64
 import csv
 import json
+import math
 import os
 import pty
 import re
@@ -14,11 +15,13 @@ import time
 import xml.etree.ElementTree as ET
 from functools import partial
 
+import numpy as np
 import pytest
 from conftest import PROGRAM
 from pendula.check import _main
 from pendula.check._class import Task, mark_file
 from pendula.check._page import page_names
+from pendula.check._picture import _canvas
 
 PROBLEMS = "0.001 0.02 1 90 s 0 r 1\n0.001 0.02 1 0 r 2.1 r 1\n"
 CLEAN = {name: value for name, value in os.environ.items() if name not in ("LC_ALL", "LC_MESSAGES", "LANG")}
@@ -45,7 +48,7 @@ def group(tmp_path, tables, monkeypatch):
 
 def start(*arguments, env=None, **options):
     streams = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "encoding": "utf-8"}
-    command = [PROGRAM, "check", *arguments, "--input", "group/problems"]
+    command = [PROGRAM, "check", *arguments, *(() if "--input" in arguments else ("--input", "group/problems"))]
     return subprocess.Popen(command, env=CLEAN | (env or {}), **(streams | options))
 
 
@@ -63,15 +66,19 @@ def rows(path):
 # Which files.
 
 
-def test_a_class_has_a_line_for_each_student():
+def test_a_class_has_a_line_for_each_student_below_one_that_names_what_is_in_it():
     done = check("group")
     assert (done.returncode, done.stderr) == (2, "")
-    ana, berta, carlos, count = done.stdout.splitlines()
+    heads, ana, berta, carlos, count = done.stdout.splitlines()
+    assert re.split("  +", heads) == ["student", "tables right", "verdict", "findings"]
+    assert len({heads.index("verdict"), ana.index("right"), berta.index("wrong"), carlos.index("unreadable")}) == 1
     assert re.fullmatch(r"ana +2/2 +right", ana)
-    assert re.match(r"berta +1/2 +wrong +\S.*\(1\)", berta)
+    assert re.match(r"berta +1/2 +wrong +\S.*\(table 1\)", berta)
     assert re.fullmatch(r"carlos +- +unreadable +'.*carlos.txt' is empty", carlos)
     assert count == "3 files: 1 right, 1 wrong, 1 unreadable."
-    assert "carlos  -    ilegible" in check("group", "--lang", "es").stdout
+    told = check("group", "--lang", "es", "--points", "6").stdout
+    assert re.match("estudiante  tablas bien  resultado  puntos  qué se ha visto\n", told)
+    assert re.search(r"^carlos +- +ilegible +0 +'", told, re.MULTILINE)
 
 
 def test_the_status_is_that_of_the_worst_file(group):
@@ -109,6 +116,37 @@ def test_a_file_given_twice_is_marked_once_and_namesakes_are_told_apart(group):
     assert marked == ["ana.csv", "ana.txt", "group/berta.txt", "carlos", "group/other/berta.txt"]
 
 
+def test_files_are_in_the_order_of_their_numbers_and_letters_without_regard_to_case_and_accents(group):
+    names = ["Álvaro", "alumno1", "alumno2", "Alumno9", "alumno10", "alumno10b", "alumno²", "Bea", "NUÑO 2", "ñandú 1"]
+    expected = ["alumno1", "alumno2", "Alumno9", "alumno10", "alumno10b", "alumno²", "Álvaro", "Bea", "NUÑO 2", "ñandú 1"]
+    folder = group / "other"
+    folder.mkdir()
+    for name in names:
+        (folder / f"{name}.txt").write_text("")
+    words = [f"group/other/{name}.txt" for name in sorted(names)]  # as a shell gives them
+    for given in (["group/other"], ["group/other/*"], words):
+        marked = [json.loads(line)["student"] for line in check(*given, "--json-lines").stdout.splitlines()]
+        assert marked == expected
+
+
+def test_one_is_told_in_the_singular_and_all_else_in_the_plural(group):
+    (group / "one").write_text("0.001 0.02 1 90 s 0 r 1\n")
+    (group / "none").write_text("0.001 2 1 90 s 0 r 1\n")  # a row and no more
+    row = "\n".join((group / "ana.txt").read_text().splitlines()[:2]) + "\n"
+    (group / "row.txt").write_text(row)
+    told = {
+        lang: check("group/row.txt", "--input", "group/none", "--points", "1", "--lang", lang).stdout for lang in ("en", "es")
+    }
+    assert "  1 of 1 row\n  angulo: 1 of 1 row right; " in told["en"]
+    assert told["en"].endswith("1 of 1 table right.\n1 of 1 point.\n")
+    assert "  1 de 1 fila\n  angulo: 1 de 1 fila bien; " in told["es"]
+    assert told["es"].endswith("1 de 1 tabla bien.\n1 de 1 punto.\n")
+    assert "  1 of 51 rows\n" in check("group/row.txt", "--input", "group/one").stdout
+    assert check("group/row*").stdout.endswith("1 file: 0 right, 1 wrong, 0 unreadable.\n")
+    assert check("group/row*", "--lang", "es").stdout.endswith("1 fichero: 0 bien, 1 mal, 0 ilegibles.\n")
+    assert check("group/[ac]*.txt", "--lang", "es").stdout.endswith("2 ficheros: 1 bien, 0 mal, 1 ilegible.\n")
+
+
 def test_names_cannot_command_the_terminal(group):
     (group / "\x1b[31m.txt").write_text("")
     done = check("group")
@@ -132,6 +170,23 @@ def test_a_summary_has_a_row_for_each_problem():
     assert [row[3] != "" for row in found] == [False, False, True, False, True]
     assert [row[4] for row in found] == ["", "", "3", "", ""]
     assert [row[5] for row in found] == ["5", "5", "0", "5", "0"]
+
+
+@pytest.mark.parametrize("problems", [1, 3, 6, 7])
+def test_points_in_a_summary_add_up_to_those_of_the_file(group, program, problems):
+    text = "0.001 0.02 1 90 s 0 r 1\n" * problems
+    (group / "many").write_text(text)
+    (group / "all.txt").write_text(program(text=text))
+    check("group/all.txt", "--input", "group/many", "--summary", "class.csv")
+    points = [float(row[5]) for row in rows("class.csv")]
+    assert (len(points), math.fsum(points)) == (problems, 10)
+
+
+def test_points_in_a_summary_have_no_digits_of_rounding(group):
+    (group / "scale").write_text("points = 0.6\nremark = 0.1\n")  # as doubles, 0.6/2 − 0.1 is 0.19999999999999998
+    (group / "ana.txt").write_text((group / "ana.txt").read_text().replace("t angulo velocidad funcionSinusoidal\n", "", 1))
+    check("group/ana.txt", "--scale", "group/scale", "--summary", "class.csv")
+    assert [row[5] for row in rows("class.csv")] == ["0.2", "0.3"]
 
 
 def test_no_name_is_a_formula_in_a_summary(group):
@@ -265,6 +320,36 @@ def test_names_of_pages_are_different_also_where_capitals_are_not():
     assert all(re.fullmatch(r"[\w-]{1,70}\.html", name) for name in names)
 
 
+def test_where_the_sinusoid_is_wrong_it_is_drawn_over_the_right_one(group):
+    right = (group / "ana.txt").read_text().splitlines()[1:52]
+    t, _, _, sine = np.loadtxt(right).T
+    halved = "".join(f"{' '.join(line.split()[:3])} {0.5 * float(line.split()[3]):.6g}\n" for line in right)
+    (group / "half.txt").write_text(halved)
+    (group / "one").write_text(PROBLEMS.splitlines()[0])
+    task = Task(_main._problems("group/one", "en"), strict=False, draws=True, lang="en")
+    (mark,) = mark_file(task, "half", "group/half.txt").marks
+    assert [finding.name for finding in mark.findings if finding.name.startswith("sine_")] != []
+    assert "funcionSinusoidal" in mark.picture
+    assert "first wrong row" in mark.picture
+    drawn = _canvas().sine
+    assert drawn.table.get_xydata().tolist() == [[x, float(f"{0.5 * y:.6g}")] for x, y in zip(t, sine, strict=True)]
+    assert drawn.wrong.get_xydata().tolist() == [[0, 0.7854]]
+    # Straight lines between 120 points a period are off by less than (π/120)²/2 of the amplitude, π/2; and so are six digits.
+    off = np.interp(t, *drawn.right.get_data()) - sine
+    assert np.abs(off).max() < np.pi / 2 * (np.pi / 120) ** 2 / 2 + 1e-5
+    for name in ("ana", "berta"):
+        assert "funcionSinusoidal" not in mark_file(task, name, f"group/{name}.txt").marks[0].picture
+
+
+def test_the_page_of_a_class_has_a_plain_word_above_each_column(group):
+    for lang, words in (
+        ("en", ["student", "table 1", "table 2", "verdict", "points", "findings"]),
+        ("es", ["estudiante", "tabla 1", "tabla 2", "resultado", "puntos", "qué se ha visto"]),
+    ):
+        check("group", "--report", "report", "--points", "10", "--lang", lang)
+        assert re.findall("<th>(.*?)</th>", (group.parent / "report/index.html").read_text("utf-8")) == words
+
+
 def test_a_report_may_be_written_again_but_never_over_what_is_foreign(tmp_path):
     assert check("group", "--report", "report").returncode == 2
     assert check("group/ana.txt", "--report", "report").returncode == 0
@@ -328,7 +413,7 @@ def test_a_class_is_told_in_utf_8_whatever_the_locale(group):
     )
     assert (done.returncode, done.stderr) == (2, "")
     assert re.search(r"^Núñez θ +2/2 +bien$", done.stdout, re.MULTILINE)
-    assert rows("class.csv")[0][0] == "Núñez θ"
+    assert rows("class.csv")[-1][0] == "Núñez θ"
 
 
 def test_a_reader_of_a_class_who_has_had_enough_changes_no_status():

@@ -80,7 +80,7 @@ def test_a_pipe_whose_other_end_comes_late_is_read_to_its_end(right):
     writer.start()
     status, told, _ = check("pipe", "--input", "problem")
     writer.join()
-    assert (status, told.splitlines()[-1]) == (0, "1 of 1 tables right.")
+    assert (status, told.splitlines()[-1]) == (0, "1 of 1 table right.")
 
 
 def test_a_pipe_that_is_open_is_waited_for(right):
@@ -97,7 +97,7 @@ def test_a_pipe_that_is_open_is_waited_for(right):
     status, told, _ = check(f"/dev/fd/{reading}", "--input", "problem", pass_fds=(reading,))
     writer.join()
     os.close(reading)
-    assert (status, told.splitlines()[-1]) == (0, "1 of 1 tables right.")
+    assert (status, told.splitlines()[-1]) == (0, "1 of 1 table right.")
 
 
 def test_a_terminal_at_which_nobody_types_is_refused(folder):
@@ -175,7 +175,7 @@ def test_problems_that_cannot_be_read_are_told_with_the_first_reason(folder):
 
 def test_a_scale_may_begin_with_the_mark_of_some_editors(folder):
     (folder / "scale").write_text("points = 4\r\n", "utf-8-sig")
-    assert "4 points of 4." in check_right("--scale", "scale")[1]
+    assert "4 of 4 points." in check_right("--scale", "scale")[1]
 
 
 def test_hidden_files_of_the_system_do_not_make_a_report_foreign(folder):
@@ -199,7 +199,7 @@ def test_a_current_folder_that_is_gone_is_no_reason_to_fail(folder):
     words = [*COMMAND, folder / "right.txt", folder / "right.txt", "--input", folder / "problem", "--lang", "en"]
     done = finished(["/bin/sh", "-c", script, "sh", *words], b"")
     assert b"Traceback" not in done.stderr
-    assert done.stdout.splitlines()[-1] == b"1 files: 1 right, 0 wrong, 0 unreadable."
+    assert done.stdout.splitlines()[-1] == b"1 file: 1 right, 0 wrong, 0 unreadable."
 
 
 # Names, and words of a table, that mean ill.

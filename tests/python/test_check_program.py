@@ -36,7 +36,7 @@ def test_a_right_table_has_status_0(check, right):
     done = check(right)
     assert (done.returncode, done.stderr) == (0, "")
     assert done.stdout.startswith("Table 1: right\n")
-    assert done.stdout.endswith("1 of 1 tables right.\n")
+    assert done.stdout.endswith("1 of 1 table right.\n")
 
 
 def test_a_wrong_table_has_status_1_and_says_where(check, right):
@@ -120,7 +120,7 @@ def test_what_is_no_table_has_status_2_and_a_reason(check, data):
 def test_hostile_tables_are_wrong_in_words(check, table):
     done = check(table)
     assert (done.returncode, done.stderr) == (1, "")
-    assert "0 of 1 tables right." in done.stdout
+    assert "0 of 1 table right." in done.stdout
     assert json.loads(check(table, "--json").stdout, parse_constant=pytest.fail)["verdict"] == "wrong"
 
 
@@ -140,7 +140,7 @@ def test_extreme_problems_have_wrong_tables_in_words(check, text, tmp_path):
     problem.write_text(text)
     done = check(b"t angulo velocidad funcionSinusoidal\n0 1 0 3\n1 2 0 3\n", problem=problem)
     assert (done.returncode, done.stderr) == (1, "")
-    assert "0 of 1 tables right." in done.stdout
+    assert "0 of 1 table right." in done.stdout
 
 
 def test_paths_that_cannot_be_read_have_status_2(check, right, tmp_path):

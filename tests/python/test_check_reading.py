@@ -17,6 +17,7 @@ from pendula.check._text import UNREADABLE
 
 # Every layout holds these rows, or those of a rotation, or prose around them.
 FOUR = [[0, 1.5708, 0, 1.5708], [0.148326, 1.5598, -0.148324, 1.55841], [0.296652, 1.5268, -0.296595, 1.52145]]
+PROGRAMS = Path(__file__).parent / "check_programs"
 HEADER = "t angulo velocidad funcionSinusoidal"
 PLAIN = "0 1.5708 0 1.5708\n0.148326 1.5598 -0.148324 1.55841\n0.296652 1.5268 -0.296595 1.52145\n"
 COMMAS = PLAIN.replace(".", ",")
@@ -583,6 +584,111 @@ def test_what_is_no_table_is_refused_with_its_reason(data, reason):
     assert refused.value.name == reason
 
 
+SOURCES = {
+    "C++": """\
+#include <cmath>
+#include <iostream>
+using namespace std;
+void rk4(double t, double& th, double& w, double h, double al) {
+  double k1[2] = {0, 1}, k2[2] = {0.5, 0.5};
+  double A = w * h, a = -al * sin(th) * h;
+  double B = (w + a / 2) * h, b = -al * sin(th + A / 2) * h;
+  th += A / 6 + B / 3;
+  w += a / 6 + b / 3;
+}
+int main() {
+  double t = 0, th = 1.5708, w = 0;
+  double pesos[4] = {1, 2, 2, 1};
+  double t0 = 0, th0 = 1.5, w0 = 2;
+  cout << "t angulo velocidad funcionSinusoidal" << endl;
+  for (int i = 0; i < 51; i++) {
+    rk4(t, th, w, 0.001, 1);
+    cout << t << " " << th << " " << w << endl;
+  }
+}
+""",
+    "Fortran": """\
+program pendulo
+  implicit none
+  real(8) :: t = 0.d0, theta = 1.57d0, w = 0.d0
+  real(8), dimension(4) :: c = (/ 0.d0, 0.5d0, 0.5d0, 1.d0 /)
+  integer :: i
+  write(*,*) 't angulo velocidad'
+  do i = 1, 51
+    k(1,2) = 1.d0/6
+    k(2,3) = 2.d0/6
+    k(3,4) = 2.d0/6
+    write(*,'(3f10.5)') t, theta, w
+  end do
+end program
+""",
+    "README": "# El péndulo\n\n1. Compila con make.\n2. Ejecuta.\n\n| caso | k | τ |\n|---|---|---|\n| oscila | -1 | 7.4163 |\n"
+    "| gira | 1 | 4.1 |\n" + "\nCon θ0 = 90 y α = 1 el periodo es 7.41630 s (figura 1).\n" * 5,
+    "notebook": '{\n "cells": [\n  {\n   "cell_type": "code",\n   "execution_count": 3,\n   "source": [\n    "import numpy as np\\n",\n'
+    '    "t, theta, w = 0, 1.57, 0\\n",\n    "k = [0, 0.5, 0.5, 1]\\n",\n    "for i in range(1, 51):\\n"\n   ]\n  }\n ],\n'
+    ' "nbformat": 4,\n "nbformat_minor": 5\n}\n',
+    "HTML": "<html>\n"
+    + "".join(f"<p style='margin: 0 {place % 3} 1 2'>El péndulo {place}.</p>\n" for place in range(12))
+    + "</html>\n",
+    "LaTeX": "\\documentclass{article}\n\\begin{document}\n\\begin{tabular}{c|cccc}\n0 & & & & \\\\\n1/2 & 1/2 & & & \\\\\n"
+    "1/2 & 0 & 1/2 & & \\\\\n1 & 0 & 0 & 1 & \\\\ \\hline\n & 1/6 & 1/3 & 1/3 & 1/6\n\\end{tabular}\n"
+    + "El ángulo inicial es $\\theta_0 = 1.5708$, con $\\alpha = 1$.\n" * 12
+    + "\\end{document}\n",
+    "PDF": "%PDF-1.4\n1 0 obj\n<< /Type /Page /MediaBox [0 0 595 842] >>\nstream\nBT /F1 12 Tf 72 720 Td (El pendulo) Tj ET\n1 0 0 1 72 700 cm\n"
+    + "".join(f"{place} 10.5 m {place} 20.5 l S\n" for place in (90, 80, 70, 60))
+    + "endstream\nendobj\nxref\n0 5\n"
+    + "".join(f"{place:010} 00000 n \n" for place in (9, 74, 120, 179, 364))
+    + "trailer\nstartxref\n565\n%%EOF\n",
+}
+
+
+@pytest.mark.parametrize("source", SOURCES)
+def test_a_source_a_report_or_a_page_without_a_table_is_refused(source):
+    with pytest.raises(UnreadableError) as refused:
+        tables(SOURCES[source])
+    assert refused.value.name == "no table"
+
+
+@pytest.mark.parametrize("program", sorted(PROGRAMS.rglob("*.*")), ids=lambda path: path.name)
+def test_no_student_s_program_is_a_table(program):
+    with pytest.raises(UnreadableError) as refused:
+        read_file(str(program))
+    assert refused.value.name == "no table"
+
+
+@pytest.mark.parametrize("is_above", [True, False])
+@pytest.mark.parametrize("source", SOURCES)
+@pytest.mark.parametrize("rows", [1, 2, 3])
+def test_a_short_table_above_or_below_much_text_is_read(rows, source, is_above):
+    lines = "".join(PLAIN.splitlines(keepends=True)[:rows])
+    table = f"{HEADER}\n{lines}"
+    found = tables(f"{table}\n{SOURCES[source]}" if is_above else f"{SOURCES[source]}\n{table}")
+    assert [each.values.tolist() for each in found] == [FOUR[:rows]]
+
+
+def test_a_table_goes_on_behind_a_page_s_head_and_foot():
+    first, rest = PLAIN.split("0.29", 1)
+    between = "Página 1\nUniversidad\nPráctica 3\nPágina 2\n"
+    (table,) = tables("Péndulo\n" * 20 + f"{HEADER}\n{first}{between}0.29{rest}")
+    assert table.values.tolist() == FOUR
+
+
+@pytest.mark.parametrize("rows", [5, 51, 200])
+@pytest.mark.parametrize("source", SOURCES)
+def test_a_table_below_its_source_is_the_only_one(source, rows):
+    lines = "".join(f"{row / 8} 1.5 {-row} 0.25\n" for row in range(rows))
+    (table,) = tables(f"{SOURCES[source]}\n{HEADER}\n{lines}")
+    assert table.values.shape == (rows, 4)
+
+
+def test_a_table_without_a_header_among_words_is_read():
+    prose = "El péndulo parte de 90 grados, con alfa = 1.\n" * 30
+    (table,) = tables(prose + PLAIN + prose)
+    assert table.values.tolist() == FOUR
+    (page,) = tables(f"<html>\n{prose}" + "".join(f"<td>{row / 8}</td><td>1.5</td><td>0</td>\n" for row in range(12)) + prose)
+    assert page.values.shape == (12, 3)
+
+
 def test_every_reason_has_texts_with_the_same_places():
     for english, spanish in UNREADABLE.values():
         assert {place for place in "012" if f"{{{place}" in english} == {place for place in "012" if f"{{{place}" in spanish}
@@ -598,6 +704,7 @@ HOSTILE = {
     "a million tables": lambda: b"".join(b"%d 1 2\n" % (2_000_000 - row) for row in range(1_000_000)),
     "tables of two rows": lambda: b"0 1 2\n1 1 2\n" * 59_000,
     "tables of a row": lambda: b"".join(b"%d 1 2\n" % (200_000 - row) for row in range(109_990)),
+    "rows among words": lambda: b"".join(b"%d 1 2\nword\n" % (200_000 - row) for row in range(54_900)),
     "brackets": lambda: b"[" * 8_000_000,
     "brackets in lines": lambda: (b"[" * 8_000 + b"1 2 3" + b"]" * 100 + b"\n") * 1000,
     "lists": lambda: b"[1, 2, 3], " * 700_000,

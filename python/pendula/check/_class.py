@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import glob
 import os
+import re
 import signal
 import sys
+import unicodedata
 from concurrent.futures import ProcessPoolExecutor, as_completed
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager, suppress
@@ -31,6 +33,8 @@ if TYPE_CHECKING:
 
 FEW_FILES = 3  # are marked before other processes would have started
 MOST_PROCESSES = 16
+NUMBERS = re.compile("([0-9]+)")
+TILDE = "\N{COMBINING TILDE}"
 
 EMPTY_FOLDER: Text = ("{0!r} holds no files to mark", "{0!r} no tiene ficheros que corregir")
 FAILED: Text = (
@@ -122,7 +126,7 @@ def files(words: Sequence[str], others: Iterable[str]) -> tuple[list[tuple[str, 
     """
     if len(words) == 1 and not _is_folder(words[0]) and not _is_pattern(words[0]):
         return _named(words), False
-    paths = dict.fromkeys(path for word in words for path in _expanded(word))
+    paths = sorted({path for word in words for path in _expanded(word)}, key=_as_people_sort)
     left_out = {_real(path) for path in others}
     return _named([path for path in paths if _real(path) not in left_out]), True
 
@@ -146,14 +150,23 @@ def _is_pattern(word: str) -> bool:
 def _expanded(word: str) -> list[str]:
     """The files of a folder, or of a pattern that the shell has left alone, as that of Windows does."""
     if _is_folder(word):
-        found = sorted(str(path) for path in Path(word).iterdir() if not path.is_dir() and not path.name.startswith("."))
+        found = [str(path) for path in Path(word).iterdir() if not path.is_dir() and not path.name.startswith(".")]
         if not found:
             raise RefusedError(BAD_USAGE, EMPTY_FOLDER, word)
         return found
     if _is_pattern(word):
-        matching = sorted(path for path in glob.glob(word) if not Path(path).is_dir())  # noqa: PTH207, it may begin anywhere
+        matching = [path for path in glob.glob(word) if not Path(path).is_dir()]  # noqa: PTH207, it may begin anywhere
         return matching or [word]
     return [word]
+
+
+def _as_people_sort(path: str) -> tuple[list[list[int | str]], str]:
+    """Numbers by their size, letters whether large or small, with accents or without, but for ñ, which follows n."""
+    letters = unicodedata.normalize("NFD", path.casefold())
+    plain = "".join(letter for letter in letters if letter == TILDE or not unicodedata.combining(letter))
+    # Every second piece is a number, so that only what is alike is compared.
+    pieces = (enumerate(NUMBERS.split(part)) for part in Path(plain).parts)
+    return [[int(piece) if place % 2 else piece for place, piece in each] for each in pieces], path
 
 
 def _named(paths: Sequence[str]) -> list[tuple[str, str]]:

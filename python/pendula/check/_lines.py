@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 from typing import TYPE_CHECKING, NamedTuple
 
 from pendula.check._columns import headers_of, role_of, roles_of
 from pendula.check._text import MOST_COLUMNS, MOST_KINDS, MOST_LETTERS, MOST_LINES, MOST_NUMBERS, UnreadableError
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterator, Sequence
 
 ROW, WORDED, TEXT, BLANK = "row", "worded", "text", "blank"
 
@@ -50,6 +51,11 @@ class Line(NamedTuple):
     size: int
     """How many numbers there are."""
     kind: Kind
+
+
+def width_of(rows: Sequence[Line]) -> int:
+    """How many numbers most rows have."""
+    return Counter(line.size for line in rows).most_common(1)[0][0]
 
 
 PLAIN = Kind(ROW)

@@ -36,12 +36,8 @@ TEXTS: dict[str, Text] = {
     "no reader": ("{0!r} is a pipe that nobody reads", "{0!r} es una tubería que nadie lee"),
     "not written": ("{0!r} could not be written: {1}", "no se ha podido escribir {0!r}: {1}"),
     "class": ("The class", "La clase"),
-    "student": ("student", "estudiante"),
-    "verdict": ("verdict", "resultado"),
-    "points": ("points", "puntos"),
-    "findings": ("findings", "qué se ha visto"),
+    "table": ("table {0}", "tabla {0}"),
     "often": ("What was found most often", "Lo que más se ha visto"),
-    "students": ("{0} of {1} files", "{0} de {1} ficheros"),
     "meaning": ("What it means", "Qué significa"),
     "picture": (
         "Angle and velocity against time, and phase space: the table over what is right",
@@ -227,12 +223,9 @@ def _explained(name: str, lang: str) -> str:
 def class_page(students: Sequence[Student], names: Sequence[str], terms: Terms) -> str:
     """A row for each student, a column for each problem, and what was found most often."""
 
-    def text(name: str, *values: object) -> str:
-        return escape(say(TEXTS[name], terms.lang, *values))
-
     problems = max((len(student.marks) for student in students), default=0)
-    heads = [text("student"), *map(str, range(1, problems + 1)), text("verdict")]
-    heads += [*([text("points")] if terms.tells_points else []), text("findings")]
+    heads = [terms.line("student"), *(say(TEXTS["table"], terms.lang, place) for place in range(1, problems + 1))]
+    heads += map(terms.line, ("verdict", "scored", "findings") if terms.tells_points else ("verdict", "findings"))
     rows = []
     for student, name in zip(students, names, strict=True):
         cells = [f'<a href="{escape(name)}">{escape(shown(student.name))}</a>']
@@ -242,14 +235,16 @@ def class_page(students: Sequence[Student], names: Sequence[str], terms: Terms) 
         cells += [f"{terms.scale.of_student(student, terms.strict):.4g}"] if terms.tells_points else []
         cells += [escape(titles(student, terms))]
         rows.append("".join(f"<td>{cell}</td>" for cell in cells))
-    table = f"<tr>{''.join(f'<th>{head}</th>' for head in heads)}</tr>" + "".join(f"<tr>{row}</tr>\n" for row in rows)
+    table = f"<tr>{''.join(f'<th>{escape(head)}</th>' for head in heads)}</tr>" + "".join(f"<tr>{row}</tr>\n" for row in rows)
     often = "".join(
-        f"<li>{escape(_pages.page(name, terms.lang).title)}: {text('students', count, len(students))}</li>"
+        f"<li>{escape(_pages.page(name, terms.lang).title)}: {escape(terms.line('files', count, len(students)))}</li>"
         for name, count in _often(students)
     )
     title = say(TEXTS["class"], terms.lang)
     body = f"<h1>{escape(title)}</h1>\n<p>{escape(count_line(students, terms))}</p>\n<table>{table}</table>\n"
-    return _document(title, body + (f"<h2>{text('often')}</h2>\n<ul>{often}</ul>" if often else ""), terms)
+    return _document(
+        title, body + (f"<h2>{escape(say(TEXTS['often'], terms.lang))}</h2>\n<ul>{often}</ul>" if often else ""), terms
+    )
 
 
 def _often(students: Sequence[Student]) -> list[tuple[str, int]]:

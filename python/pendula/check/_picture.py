@@ -1,4 +1,7 @@
-"""A table's picture: angle and velocity against time, how far they are from what is right, and phase space."""
+"""A table's picture: angle and velocity against time, how far they are from what is right, and phase space.
+
+Where the sinusoid is not right, it is there, too.
+"""
 
 from __future__ import annotations
 
@@ -11,6 +14,9 @@ import numpy as np
 from pendula import _core
 from pendula._closed_form import exact
 from pendula._command import Text, say
+from pendula.check._program import RIGHT, taken
+from pendula.check._sinusoid import right_sinusoid
+from pendula.check._table import WORDS
 from pendula.plot._style import BLUE, GREY, ORANGE, VERMILION, angle_axis, axes
 
 if TYPE_CHECKING:
@@ -27,6 +33,8 @@ POINTS_PER_PERIOD, MOST_PERIODS = 120, 40  # of the right curve; beyond, it is d
 LATEST = 1e6  # periods; later, the closed form need not know the phase
 FARTHEST = 100  # times the right values' extent; what is farther off is outside of the picture
 WIDE = np.pi / 2  # angles beyond are shown in the whole turn
+# Where phase space is in the picture, and where it leaves room for the sinusoid.
+ALL_RIGHT_HAND, UPPER, LOWER = (0.61, 0.1, 0.375, 0.83), (0.61, 0.5, 0.375, 0.43), (0.61, 0.1, 0.375, 0.24)
 
 TEXTS: dict[str, Text] = {
     "right": ("right", "lo correcto"),
@@ -54,6 +62,7 @@ class Canvas(NamedTuple):
     theta: Panel
     omega: Panel
     phase: Panel
+    sine: Panel
     off: Axes
     theta_off: Line2D
     omega_off: Line2D
@@ -68,15 +77,17 @@ def _canvas() -> Canvas:
     from matplotlib.ticker import MaxNLocator
 
     figure = Figure(figsize=(9.6, 4.8))
-    places = ((0.08, 0.69, 0.44, 0.24), (0.08, 0.4, 0.44, 0.24), (0.61, 0.1, 0.375, 0.83), (0.08, 0.1, 0.44, 0.24))
-    theta, omega, phase, off = (axes(figure.add_axes(place)) for place in places)
+    places = ((0.08, 0.69, 0.44, 0.24), (0.08, 0.4, 0.44, 0.24), ALL_RIGHT_HAND, LOWER, (0.08, 0.1, 0.44, 0.24))
+    theta, omega, phase, sine, off = (axes(figure.add_axes(place)) for place in places)
     theta.tick_params(labelbottom=False)
     omega.tick_params(labelbottom=False)
     theta.set_ylabel("θ [rad]")
     omega.set_ylabel("ω [rad/s]")
     phase.set(xlabel="θ [rad]", ylabel="ω [rad/s]")
     off.set_xlabel("t [s]")
-    for ax, ticks in ((theta, 3), (omega, 3), (off, 3), (phase, 7)):
+    sine.set(xlabel="t [s]", ylabel="[rad]")
+    sine.set_title(WORDS[3], loc="left", fontsize=9)
+    for ax, ticks in ((theta, 3), (omega, 3), (off, 3), (sine, 3), (phase, 7)):
         ax.yaxis.set_label_coords(-0.13, 0.5)
         ax.xaxis.set_major_locator(MaxNLocator(6))
         ax.yaxis.set_major_locator(MaxNLocator(ticks))
@@ -86,7 +97,7 @@ def _canvas() -> Canvas:
     (omega_off,) = off.plot([], [], color=ORANGE, marker="^", label="ω", **style)
     off.legend(loc="upper right", ncols=2, frameon=False, borderaxespad=0, handlelength=1.2, fontsize=8)
     limits = tuple(ax.axvline(0, color=GREY, linestyle=(0, (4, 2))) for ax in (theta, omega, off))
-    return Canvas(figure, _panel(theta), _panel(omega), _panel(phase), off, theta_off, omega_off, limits)
+    return Canvas(figure, _panel(theta), _panel(omega), _panel(phase), _panel(sine), off, theta_off, omega_off, limits)
 
 
 def _panel(ax: Axes) -> Panel:
@@ -104,7 +115,8 @@ def picture(problem: Problem, judgement: Judgement, lang: str) -> str:
     import matplotlib as mpl
 
     columns = judgement.columns
-    rows = _shown(len(columns.lines), first := _first_wrong(judgement))
+    first = _first_wrong(judgement, "theta", "omega")
+    rows = _shown(len(columns.lines), first, _first_wrong(judgement, "sine"))
     table = (columns.t.values[rows], columns.theta.values[rows], columns.omega.values[rows])
     right = _right(problem, table[0])
     wrong = np.flatnonzero(rows == first)
@@ -113,6 +125,7 @@ def picture(problem: Problem, judgement: Judgement, lang: str) -> str:
         for panel, x, y in ((canvas.theta, 0, 1), (canvas.omega, 0, 2), (canvas.phase, 1, 2)):
             _fill(panel, (right[x], right[y]), (table[x], table[y]), wrong)
         largest = max(float(np.nanmax(np.abs(each[1]))) for each in (right, table))
+        _fill_sine(canvas, problem, judgement, right[0], rows)
         _set_angle_axes(canvas, is_turn=WIDE < largest <= np.pi * 1.001)
         _fill_off(canvas, judgement, rows, lang)
         _legend(canvas, judgement, lang)
@@ -133,16 +146,16 @@ def _set_angle_axes(canvas: Canvas, is_turn: bool) -> None:
         angle_axis(canvas.phase.ax, "x")
 
 
-def _shown(rows: int, first: int | None) -> Integers:
-    """Places of the rows that are drawn: evenly spaced, and the first wrong one."""
+def _shown(rows: int, *first: int | None) -> Integers:
+    """Places of the rows that are drawn: evenly spaced, and the first wrong ones."""
     places = np.arange(0, rows, -(-rows // MOST_POINTS))
-    return places if first is None else np.union1d(places, first)
+    return np.union1d(places, [row for row in first if row is not None]).astype(int)
 
 
-def _first_wrong(judgement: Judgement) -> int | None:
-    """The first row in which angle or velocity are wrong."""
-    wrong = [off.first_wrong for role, off in judgement.deviations.items() if role != "sine" and off.first_wrong is not None]
-    return min(wrong, default=None)
+def _first_wrong(judgement: Judgement, *roles: str) -> int | None:
+    """The first row in which one of these is wrong."""
+    firsts = (off.first_wrong for role, off in judgement.deviations.items() if role in roles)
+    return min((row for row in firsts if row is not None), default=None)
 
 
 def _right(problem: Problem, t: Floats) -> tuple[Floats, Floats, Floats]:
@@ -171,6 +184,21 @@ def _fill(panel: Panel, right: tuple[Floats, Floats], table: tuple[Floats, Float
     _as_marks(panel.table, x.size, "o")
     panel.wrong.set_data(x[wrong], y[wrong])
     panel.ax.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]))
+
+
+def _fill_sine(canvas: Canvas, problem: Problem, judgement: Judgement, t: Floats, rows: Integers) -> None:
+    """The sinusoid over the right one, where it is not right; else phase space has its place."""
+    first = _first_wrong(judgement, "sine")
+    canvas.sine.ax.set_visible(first is not None)
+    canvas.phase.ax.set_position(ALL_RIGHT_HAND if first is None else UPPER)
+    canvas.sine.wrong.set_data(*np.empty((2, 0)))
+    if first is None:
+        return
+    assert judgement.columns is not None
+    assert judgement.columns.sine is not None
+    right = right_sinusoid(taken(RIGHT, problem), problem.tau).at(t)
+    table = (judgement.columns.t.values[rows], judgement.columns.sine.values[rows])
+    _fill(canvas.sine, (t, _broken(right)), table, np.flatnonzero(rows == first))
 
 
 def _as_marks(line: Line2D, rows: int, marker: str) -> None:
@@ -206,7 +234,7 @@ def _fill_off(canvas: Canvas, judgement: Judgement, rows: Integers, lang: str) -
 def _legend(canvas: Canvas, judgement: Judgement, lang: str) -> None:
     """Above all axes, where no data are."""
     panel, entries = canvas.theta, {"right": canvas.theta.right, "table": canvas.theta.table}
-    if panel.wrong.get_xdata().size:  # type: ignore[union-attr]
+    if any(each.wrong.get_xdata().size for each in (panel, canvas.sine)):  # type: ignore[union-attr]
         entries["wrong"] = panel.wrong
     since = next((float(each.values["t"]) for each in judgement.findings if each.name == "not_judged"), None)
     for line in canvas.limits:

@@ -28,6 +28,8 @@ class Run:
         self.others: list[Line] = []
         """Lines that are no rows."""
         self.is_before_header = False
+        self.is_prose = False
+        """Whether all of the text has many lines of words."""
         self.is_folded = False
         self.commas: tuple[int, int] | None = None
         """The first line with decimal commas among commas, and how many such lines cannot be read."""

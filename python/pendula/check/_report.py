@@ -26,6 +26,7 @@ Json: TypeAlias = "Mapping[str, Json] | Sequence[Json] | float | str | None"
 
 MOST_TITLES = 3  # on a student's line
 MOST_ALIGNED = 32  # letters of a name; longer ones push their own lines only
+MOST_DECIMALS = 6  # of points that a teacher gives
 SURE_DIGITS = 15  # more would show how the last bits were rounded
 FORMULAS = ("=", "+", "-", "@")  # what they begin with in spreadsheets
 
@@ -34,22 +35,42 @@ TEXTS: dict[str, Text] = {
     "right": ("right", "bien"),
     "wrong": ("wrong", "mal"),
     "unreadable": ("unreadable", "ilegible"),
-    "rows": ("{0} rows of {1}", "{0} filas de {1}"),
+    "rows": ("{0} of {1} {1:row|rows}", "{0} de {1} {1:fila|filas}"),
     "column": (
-        "{0}: {1} of {2} rows right; at most {3:.1e} from what is right",
-        "{0}: {1} de {2} filas bien; error máximo {3:.1e}",
+        "{0}: {1} of {2} {2:row|rows} right; at most {3:.1e} from what is right",
+        "{0}: {1} de {2} {2:fila|filas} bien; error máximo {3:.1e}",
     ),
-    "sine": ("{0}: {1} of {2} rows right", "{0}: {1} de {2} filas bien"),
+    "sine": ("{0}: {1} of {2} {2:row|rows} right", "{0}: {1} de {2} {2:fila|filas} bien"),
     "remark": ("remark: ", "nota: "),
     "where": (
         " First in line {0}, t = {1}: {2} is {3} and should be {4}.",
         " Se ve primero en la línea {0}, t = {1}: {2} es {3} y debería ser {4}.",
     ),
     "or": (" Or: {0}", " O bien: {0}"),
-    "summary": ("{0} of {1} tables right.", "{0} de {1} tablas bien."),
-    "points": ("{0:.6g} points of {1:.6g}.", "{0:.6g} puntos de {1:.6g}."),
-    "class": ("{0} files: {1} right, {2} wrong, {3} unreadable.", "{0} ficheros: {1} bien, {2} mal, {3} ilegibles."),
+    "summary": ("{0} of {1} {1:table|tables} right.", "{0} de {1} {1:tabla|tablas} bien."),
+    "points": ("{0:.6g} of {1:.6g} {1:point|points}.", "{0:.6g} de {1:.6g} {1:punto|puntos}."),
+    "class": (
+        "{0} {0:file|files}: {1} right, {2} wrong, {3} unreadable.",
+        "{0} {0:fichero|ficheros}: {1} bien, {2} mal, {3} {3:ilegible|ilegibles}.",
+    ),
+    "files": ("{0} of {1} {1:file|files}", "{0} de {1} {1:fichero|ficheros}"),
+    "in": (" ({0:table|tables} {1})", " ({0:tabla|tablas} {1})"),
+    "student": ("student", "estudiante"),
+    "right tables": ("tables right", "tablas bien"),
+    "verdict": ("verdict", "resultado"),
+    "scored": ("points", "puntos"),
+    "findings": ("findings", "qué se ha visto"),
 }
+
+
+class Number(NamedTuple):
+    """A number in a text, where "{0:row|rows}" is the noun that goes with it."""
+
+    value: float
+
+    def __format__(self, spec: str) -> str:
+        one, is_noun, several = spec.partition("|")
+        return format(self.value, spec) if not is_noun else one if self.value == 1 else several
 
 
 class Terms(NamedTuple):
@@ -63,7 +84,7 @@ class Terms(NamedTuple):
 
     def line(self, name: str, *values: object) -> str:
         """A text of this report."""
-        return say(TEXTS[name], self.lang, *values)
+        return say(TEXTS[name], self.lang, *(Number(each) if isinstance(each, int | float) else each for each in values))
 
     def verdict(self, student: Student) -> str:
         """In a word."""
@@ -138,7 +159,8 @@ def finding_lines(findings: Iterable[Finding], digits: int, terms: Terms) -> lis
 
 
 def class_as_text(students: Sequence[Student], terms: Terms) -> str:
-    """A line for each student, and how many are right."""
+    """A line for each student below one that says what is in it, and how many are right."""
+    heads = [terms.line(name) for name in ("student", "right tables", "verdict", "findings")]
     rows = [
         (shown(each.name), f"{each.right}/{len(each.marks)}" if each.marks else "-", terms.verdict(each), titles(each, terms))
         for each in students
@@ -148,6 +170,8 @@ def class_as_text(students: Sequence[Student], terms: Terms) -> str:
             (*row[:3], f"{terms.scale.of_student(each, terms.strict):.4g}", row[3])
             for row, each in zip(rows, students, strict=True)
         ]
+        heads.insert(3, terms.line("scored"))
+    rows = [tuple(heads), *rows]
     widths = [min(max(map(len, column)), MOST_ALIGNED) for column in zip(*rows, strict=True)]
     widths[-1] = 0
     lines = ["  ".join(map(str.ljust, row, widths)).rstrip() for row in rows]
@@ -171,7 +195,8 @@ def titles(student: Student, terms: Terms) -> str:
         found.setdefault(finding.name, []).append(problem)
     shorts = []
     for name, problems in found.items():
-        places = "" if len(problems) == len(student.marks) or not any(problems) else f" ({', '.join(map(str, problems))})"
+        is_of_some = len(problems) < len(student.marks) and any(problems)
+        places = terms.line("in", len(problems), ", ".join(map(str, problems))) if is_of_some else ""
         shorts.append(_pages.page(name, terms.lang).title + places)
     return "; ".join(shorts[:MOST_TITLES]) + ("; …" if len(shorts) > MOST_TITLES else "")
 
@@ -208,9 +233,10 @@ def as_csv(students: Sequence[Student], terms: Terms) -> bytes:
 
 
 def _plain(points: float) -> float:
-    """Points with six digits, and no fraction where they are whole."""
-    rounded = float(f"{points:.6g}")
-    return int(rounded) if rounded.is_integer() else rounded
+    """Points with few digits where these are all, else with all: the shares of thirds add up to the whole."""
+    rounded = round(points, MOST_DECIMALS)
+    exact = rounded if math.isclose(rounded, points, rel_tol=1e-12) else points  # sums of costs have rounding errors
+    return int(exact) if float(exact).is_integer() else exact
 
 
 def _harmless(name: str) -> str:

@@ -24,7 +24,8 @@ from pendula.check._columns import (
     roles_of,
 )
 from pendula.check._digits import Floats, Integers, cells_of, units_of
-from pendula.check._lines import PLAIN, ROW
+from pendula.check._lines import PLAIN, ROW, width_of
+from pendula.check._prose import has_many_words, is_table, lines_below_header, pieces_of
 from pendula.check._records import Run, runs_of, starts_of, time_of
 from pendula.check._text import MOST_TABLES, UNREADABLE, Note, UnreadableError, contents, decoded, opened
 
@@ -89,7 +90,10 @@ def tables(text: str, notes: tuple[Note, ...] = ()) -> list[Table]:
     """
     found: list[Table] = []
     before: list[Line] = []
-    for run in runs_of(text):
+    runs = runs_of(text)
+    is_prose = has_many_words(runs)
+    for run in runs:
+        run.is_prose = is_prose
         for part, (lines, others) in enumerate(_parts_of(run, before)):
             found.append(_table(run, lines, others, notes, is_first=part == 0))
             if len(found) > MOST_TABLES:
@@ -111,7 +115,9 @@ def _parts_of(run: Run, before: list[Line]) -> list[tuple[list[Line], list[Line]
     """The rows of each table, and other lines before and among them. `before` are lines that belong to the next table."""
     rows = [line for line in run.rows if line.size >= 2]
     others = sorted([*run.others, *(line for line in run.rows if line.size < 2)], key=PLACE)
-    parts = _split_at_falls(run, rows, others)
+    pieces = pieces_of(rows, others) if run.is_prose else [rows]
+    parts = [part for piece in pieces for part in _split_at_falls(run, piece, others)]
+    nearest = lines_below_header(run)
     kept: list[list[Line]] = []
     for place, part in enumerate(parts):
         following = parts[place + 1] if place + 1 < len(parts) else []
@@ -119,8 +125,10 @@ def _parts_of(run: Run, before: list[Line]) -> list[tuple[list[Line], list[Line]
             others.append(part.pop(0))
         if kept and _is_afterword(part, kept[-1]):
             others.append(part.pop())
-        if part:
+        if part and not (run.is_prose and not is_table(run, part, nearest)):
             kept.append(part)
+        else:
+            others += part
     others = sorted([*before, *others], key=PLACE)
     before.clear()
     found = []
@@ -136,7 +144,7 @@ def _parts_of(run: Run, before: list[Line]) -> list[tuple[list[Line], list[Line]
 def _split_at_falls(run: Run, rows: list[Line], others: list[Line]) -> list[list[Line]]:
     if not rows:
         return []
-    width = _width(rows)
+    width = width_of(rows)
     header = fitting(run.headers, width)
     if is_timeless(header, width):
         return [rows]
@@ -147,10 +155,6 @@ def _split_at_falls(run: Run, rows: list[Line], others: list[Line]) -> list[list
     breaks = {bisect(places, line.place) for line in others}
     starts = starts_of([time_of(line, place) for line in rows], breaks)
     return [rows[start:stop] for start, stop in pairwise([*starts, len(rows)])]
-
-
-def _width(rows: Sequence[Line]) -> int:
-    return Counter(line.size for line in rows).most_common(1)[0][0]
 
 
 def _place_of_time(rows: Sequence[Line], width: int) -> int:
@@ -171,7 +175,7 @@ def _is_preamble(part: Sequence[Line], following: Sequence[Line], run: Run, has_
         return True
     whole = first.size <= 3 and first.numbers.split()[0] in ("-1", "0", "1")
     if len(part) == 1:  # time falls back after it
-        return first.size <= 3 and len(following) >= SHORT and (whole or first.size != _width(following))
+        return first.size <= 3 and len(following) >= SHORT and (whole or first.size != width_of(following))
     return whole and len(part) > SHORT and (time_of(first, 0) < 0 or time_of(first, 0) >= time_of(part[1], 0))
 
 
@@ -180,12 +184,12 @@ def _is_afterword(part: Sequence[Line], table: Sequence[Line]) -> bool:
     if len(part) != 1 or time_of(part[0], 0) == 0:
         return False
     is_analysis = part[0].size == 3 and part[0].numbers.split()[0] in ("-1", "1")
-    return is_analysis or part[0].size != _width(table)
+    return is_analysis or part[0].size != width_of(table)
 
 
 def _table(run: Run, rows: list[Line], others: list[Line], notes: tuple[Note, ...], is_first: bool) -> Table:
-    width = _width(rows)
-    damaged = [line for line in others if _is_damaged(line, rows, width, run.header_lines)]
+    width = width_of(rows)
+    damaged = [line for line in others if _is_damaged(line, rows, width, [] if run.is_prose else run.header_lines)]
     bad = {line.place for line in damaged} | {line.place for line in rows if line.size != width}
     rows = sorted([*rows, *damaged], key=PLACE) if damaged else rows
     cells = cells_of([line.numbers for line in rows], width)

@@ -50,8 +50,8 @@ UNREADABLE: dict[str, Text] = {
     ),
     "many tables": ("there are more than {0} tables", "hay más de {0} tablas"),
     "no table": (
-        "there is no table: no line of two numbers or more",
-        "no hay ninguna tabla: ninguna línea de dos números o más",
+        "there is no table: no rows of numbers below a header or one below another",
+        "no hay ninguna tabla: no tiene filas de números debajo de una cabecera ni unas debajo de otras",
     ),
     "no problems": ("the problems of {0!r} could not be read", "no se han podido leer los problemas de {0!r}"),
 }

@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from pendula.check._mistakes import ALPHAS, EQUATIONS, ROWS, STARTS, STEPPERS, Mistake
+from pendula.check._methods import STEPPERS, Mistake
+from pendula.check._mistakes import ALPHAS, EQUATIONS, ROWS, STARTS
 from pendula.check._predict import (
     AS_ASKED,
     MOST_WORK,

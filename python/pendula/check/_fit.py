@@ -6,11 +6,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from pendula.check._clock import KNOWN
 from pendula.check._explain import Candidate, Explanation, Reading
-from pendula.check._mistakes import STEPPERS, Mistake
+from pendula.check._methods import STEPPERS, Mistake
 from pendula.check._predict import AS_ASKED, fits, predictions, wrap
 from pendula.check._program import RIGHT, Clock, Program, Start, analysis, replay, taken
-from pendula.check._timing import KNOWN, off, timings
+from pendula.check._timing import off, timings
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator

@@ -8,7 +8,8 @@ import numpy as np
 
 from pendula import _core
 from pendula._closed_form import exact
-from pendula.check._mistakes import PRINTINGS, Mistake
+from pendula.check._methods import Mistake
+from pendula.check._mistakes import PRINTINGS
 from pendula.check._program import RIGHT, Clock, Motion, Program, Start, closed_form, replay
 
 if TYPE_CHECKING:

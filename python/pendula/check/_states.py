@@ -8,13 +8,14 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from pendula import _core
+from pendula.check._clock import is_single
 from pendula.check._explain import Explanation, Search
 from pendula.check._finding import Finding, Where, error
 from pendula.check._fit import fitted
-from pendula.check._mistakes import SINGLE, Mistake
+from pendula.check._methods import SINGLE, Mistake
 from pendula.check._predict import AS_ASKED, DECIDES, MOST_WORK, Prediction, misfits, wrap, wrong_locally
 from pendula.check._program import RIGHT, Problem, Start, closed_form, replay, taken
-from pendula.check._timing import Timing, is_single, timings
+from pendula.check._timing import Timing, timings
 from pendula.check._view import View, first_wrong
 
 if TYPE_CHECKING:

@@ -8,6 +8,20 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from pendula.check._clock import (
+    KNOWN,
+    MOST_STEPS,
+    PERIOD,
+    Grid,
+    clock_of,
+    grid_of,
+    is_on_time,
+    is_single,
+    latest,
+    numbered,
+    one_of,
+    usual,
+)
 from pendula.check._finding import Finding, error, remark
 from pendula.check._periods import Period, first_term, partial_sums, periods_on_separatrix, wrong_periods
 from pendula.check._program import Clock, Problem, Start, analysis
@@ -18,12 +32,9 @@ if TYPE_CHECKING:
     from pendula.check._program import Floats
     from pendula.check._table import Column
 
-PERIOD = 1e-6  # relative: periods that differ by less are equal (3.9 allows 1e-7, and programs add up steps)
 MOST_DOUBT = 1e-5  # relative: of a period that is known by the times printed alone
-KNOWN = 1e-7  # relative: how well a right program knows its own period
 ROUGH_PIS = (3.14, 3.1415, 3.1416)
 LARGEST_RATIO = 12  # of whole numbers that a period may be off by, from zeros that were counted
-MOST_STEPS = 2**52
 
 
 class Timing(NamedTuple):
@@ -44,50 +55,6 @@ class Timing(NamedTuple):
         return sum(finding.severity == "error" for finding in self.findings)
 
 
-class Grid(NamedTuple):
-    """Times first + j every, as far as their digits tell."""
-
-    first: float
-    every: float
-    places: Floats
-    """The rows' j, from 0; some may be missing."""
-    unit: float
-    """Of the last digit of the last time."""
-
-    @property
-    def rows(self) -> int:
-        """How many there are up to the last."""
-        return int(self.places[-1]) + 1
-
-    @property
-    def values(self) -> Floats:
-        """The times."""
-        return self.first + self.every * self.places
-
-
-def grid_of(t: Column, places: Floats, dt: float) -> Grid:
-    """The evenly spaced times nearest to those printed; a few wrong ones among them do not matter."""
-    usual = _usual(t.units)
-    unit = max(usual, min(float(t.units[-1]), 10 * usual))
-    if places.size < 2 or not places[-1] > places[0]:
-        return Grid(float(t.values[0]), 0.0, places, unit)
-    every = float((t.values[-1] - t.values[0]) / (places[-1] - places[0]))
-    first = float(t.values[0]) - places[0] * every
-    off = np.abs(t.values - first - places * every)
-    if np.sum(off > 2 * t.units) > one_of(places.size):
-        # The first or the last may be among the wrong ones.
-        robust = float(np.median(np.diff(t.values) / np.diff(places)))
-        level = float(np.median(t.values - places * robust))
-        near = np.abs(t.values - level - places * robust) <= np.maximum(2 * t.units, robust / 20)
-        if robust > 0 and np.sum(near) == places.size - one_of(places.size):
-            fitted = np.polyfit(places[near], t.values[near], 1)
-            away = np.abs(t.values - np.polyval(fitted, places))[~near]
-            if np.all(away > 1.01 * dt + 2 * t.units[~near]):  # no end of a step
-                every, first = map(float, fitted)
-                first = 0.0 if abs(first) <= 2 * unit else first
-    return Grid(first, every, places, unit)
-
-
 def timings(problem: Problem, start: Start, t: Column, places: Floats, pi: float = math.pi) -> Iterator[Timing]:
     """Explanations of the times, those without a mistake first, for a program that took the pendulum for `start`.
 
@@ -101,23 +68,23 @@ def timings(problem: Problem, start: Start, t: Column, places: Floats, pi: float
         expected = int(min(problem.rows, MOST_STEPS))
         findings = (error("one_row", expected=expected),) if grid.rows == 1 and problem.rows > 1 else ()
         if grid.rows > 1 or (problem.rows == 1 and abs(float(t.values[0])) > 1e-6 * dt):
-            yield Timing(_numbered(problem, grid, dt), tau, (*findings, error("times_off")))
+            yield Timing(numbered(problem, grid, dt), tau, (*findings, error("times_off")))
             return
-        yield Timing(_clock(t, grid, dt, dt * problem.steps_per_row, KNOWN), tau, findings)
+        yield Timing(clock_of(t, grid, dt, dt * problem.steps_per_row, KNOWN), tau, findings)
         return
     right = tau * (pi / math.pi)
     if _is_spacing(grid, t, factor_every * right, factor_dt * right):
         for timing in _timing(problem, t, grid, right, ()):
             yield timing._replace(tau=timing.tau * (math.pi / pi))
-        clock = _numbered(problem, grid, factor_dt * right)
-        if not _is_on_time(t, grid, factor_every * right) and is_single(t, clock):
+        clock = numbered(problem, grid, factor_dt * right)
+        if not is_on_time(t, grid, factor_every * right) and is_single(t, clock):
             yield Timing(clock, tau, (error("time_single"),))
         return
     of_run = problem.every * problem.until / problem.tau
     is_whole_run = abs(t.values[-1] - problem.until) < of_run and abs(problem.until / problem.tau - 1) > PERIOD
     if is_whole_run and _is_spacing(grid, t, of_run, problem.dt):
         spacing = {"every": problem.every, "spacing": grid.every}
-        yield Timing(_clock(t, grid, problem.dt, of_run, KNOWN), tau, (error("interval_of_run", **spacing),))
+        yield Timing(clock_of(t, grid, problem.dt, of_run, KNOWN), tau, (error("interval_of_run", **spacing),))
         return
     known = [
         (mistake, own) for mistake, own in wrong_periods(start) if _is_spacing(grid, t, factor_every * own, factor_dt * own)
@@ -133,7 +100,7 @@ def timings(problem: Problem, start: Start, t: Column, places: Floats, pi: float
         return
     else:
         yield from _other_spacings(problem, start, t, grid)
-    clock = _numbered(problem, grid, factor_dt * tau)
+    clock = numbered(problem, grid, factor_dt * tau)
     name = "time_single" if is_single(t, clock) else "times_off"
     yield Timing(clock, tau, (error(name),))
 
@@ -150,23 +117,11 @@ def _miscounted(problem: Problem, tau: float, t: Column, grid: Grid) -> Timing |
         counts += [("interval_miscounted", wanted + 1), ("interval_miscounted", wanted - 1)]
     counts += [("seconds", each) for each in (math.floor(factor / dt), math.ceil(factor / dt)) if each > 1]
     for name, count in counts:
-        if count != wanted and _is_on_time(t, grid, count * dt):
+        if count != wanted and is_on_time(t, grid, count * dt):
             is_seconds = name == "seconds"
             told = {"every": factor * tau, "spacing": count * dt} if is_seconds else {"steps": count, "wanted": wanted}
-            return Timing(_clock(t, grid, dt, count * dt, KNOWN), tau, (error(name, **told),))
+            return Timing(clock_of(t, grid, dt, count * dt, KNOWN), tau, (error(name, **told),))
     return None
-
-
-def is_single(t: Column, clock: Clock) -> bool:
-    """Whether the times are no farther off than single precision makes sums of so many steps."""
-    late = np.finfo(np.float32).eps * np.abs(clock.t) * (1 + clock.steps / 4)
-    return bool(np.all(np.abs(t.values - clock.t) <= t.units + np.minimum(late, clock.dt)))
-
-
-def _is_on_time(t: Column, grid: Grid, every: float) -> bool:
-    """Whether every row is at its own multiple of that, but for one that may be wrong."""
-    off = np.abs(t.values - grid.places * every) > t.units + PERIOD * np.abs(t.values)
-    return bool(np.sum(off) <= one_of(off.size))
 
 
 def _said(mistake: Period, problem: Problem, tau: float, own: float) -> Finding:
@@ -174,39 +129,17 @@ def _said(mistake: Period, problem: Problem, tau: float, own: float) -> Finding:
     return error(mistake.name, tau=tau, got=own, **values, **mistake.values)
 
 
-def _numbered(problem: Problem, grid: Grid, dt: float) -> Clock:
-    """The rows by their numbers, whatever their times."""
-    whole = grid.places * round(max(problem.steps_per_row, 1))
-    return Clock(whole.astype(np.int64), dt, KNOWN, np.zeros(whole.size))
-
-
 def _is_spacing(grid: Grid, t: Column, every: float, dt: float) -> bool:
     """Whether rows are as far apart as that; a program may print each at the end of the step that reaches its time."""
-    late = _latest(every, dt)
+    late = latest(every, dt)
     ends = np.round(t.values / dt) * dt
     is_at_end = np.abs(t.values - ends) <= t.units + PERIOD * np.abs(t.values)
     fits = is_at_end & (np.abs(t.values - grid.places * every) <= late + t.units)
     if np.sum(~fits) <= one_of(fits.size):
         return True
-    off = _usual(np.abs(t.values - grid.values) / t.units) * grid.unit
+    off = usual(np.abs(t.values - grid.values) / t.units) * grid.unit
     drift = 2 * grid.unit if off <= 2 * grid.unit else late + grid.unit
     return bool(abs(grid.every - every) * (grid.rows - 1) <= drift + PERIOD * every * grid.rows)
-
-
-def one_of(rows: int) -> int:
-    """How many wrong times among so many are a wrong cell, and no mistake of the program."""
-    return 1 if rows > 3 else 0
-
-
-def _usual(off: Floats) -> float:
-    """The largest, but for one that may be wrong."""
-    return float(np.sort(off)[-1 - one_of(off.size)])
-
-
-def _latest(every: float, dt: float) -> float:
-    """How late a row may be that is printed at the end of the step that reaches its time."""
-    per_row = every / dt
-    return min(1.01 * dt, every / 2) if abs(per_row - round(per_row)) <= PERIOD * per_row else 1.01 * dt
 
 
 def _timing(problem: Problem, t: Column, grid: Grid, own: float, findings: tuple[Finding, ...]) -> Iterator[Timing]:
@@ -214,12 +147,12 @@ def _timing(problem: Problem, t: Column, grid: Grid, own: float, findings: tuple
     every, dt = (each / problem.tau * own for each in (problem.every, problem.dt))
     doubt = KNOWN
     last = abs(float(t.values[-1]))
-    if last > 0 and _usual(np.abs(t.values - grid.values) / t.units) <= 2 and abs(grid.first) <= grid.unit:
+    if last > 0 and usual(np.abs(t.values - grid.values) / t.units) <= 2 and abs(grid.first) <= grid.unit:
         seen = grid.unit / last
         if seen < KNOWN and abs(grid.every / every - 1) <= PERIOD:  # the times tell the period better than theory
             own, doubt = own * (grid.every / every), max(seen, 1e-14)
             every, dt = (each / problem.tau * own for each in (problem.every, problem.dt))
-    yield Timing(_clock(t, grid, dt, every, doubt), own, (*findings, *_layout(problem, t, grid, every, dt)))
+    yield Timing(clock_of(t, grid, dt, every, doubt), own, (*findings, *_layout(problem, t, grid, every, dt)))
     # Digits may be too few to tell a row at its time from one at the end of the step that reaches it, or at the nearest.
     per_row = every / dt
     if abs(per_row - round(per_row)) > PERIOD * per_row and grid.unit > 1e-3 * dt:
@@ -232,34 +165,7 @@ def _timing(problem: Problem, t: Column, grid: Grid, own: float, findings: tuple
     for name, moved in (("step_late", -dt), ("step_early", dt), ("row_late", -every), ("row_early", every)):
         if abs(moved) > 2 * grid.unit and abs(grid.first - moved) <= grid.unit + PERIOD * every:
             shifted = grid._replace(first=0.0)
-            yield Timing(_numbered(problem, grid, dt), own, (*findings, error(name), *_ends(problem, shifted)))
-
-
-def _clock(t: Column, grid: Grid, dt: float, every: float, doubt: float) -> Clock:
-    """After how many steps the rows are. Where their times lie between steps, the steps are taken to be shorter."""
-    values = np.where(np.isfinite(t.values), t.values, 0)
-    places = grid.places + (round(grid.first / every) if every > 0 and abs(grid.first) < MOST_STEPS * every else 0)
-    nominal = places * every
-    slack = t.units + 1e-9 * np.abs(values)
-    is_at_end = np.abs(values - np.round(values / dt) * dt) <= slack + PERIOD * np.abs(values)
-    is_on_grid = np.abs(values - nominal) <= slack + (0 if is_at_end.all() else 0.01 * dt)
-    unsure, coarser = np.zeros_like(values), 1.0
-    if np.sum(~is_on_grid) <= one_of(values.size):
-        whole = np.ceil(every / dt * (1 - 1e-9))
-        longest, dt = dt, every / whole
-        # A sum of many Δt prints a row, now and then, at the end of the next step; few digits do not show it.
-        is_late = (np.abs(values - nominal - dt) <= slack) & (t.units < 0.4 * dt) & (whole > 1)
-        steps = places * whole + is_late
-        unsure = np.where((t.units > 0.4 * dt) & (whole > 1) & (places > 0), dt, 0.0)
-        coarser = max(longest / dt, 1.0)
-    else:
-        off = np.abs(values - nominal) > max(every / 2, 1.01 * dt) + t.units
-        values = np.where(off, nominal, values) if np.sum(off) <= one_of(values.size) else values
-        steps = np.round(values / dt)
-        unsure = np.where((t.units > 0.4 * dt) & (places > 0), t.units, 0)
-    # A row that is earlier than the one before is wrong by its time.
-    steps = np.maximum.accumulate(np.clip(steps, 0, MOST_STEPS))
-    return Clock(steps.astype(np.int64), dt, doubt, unsure, coarser)
+            yield Timing(numbered(problem, grid, dt), own, (*findings, error(name), *_ends(problem, shifted)))
 
 
 def _other_spacings(problem: Problem, start: Start, t: Column, grid: Grid) -> Iterator[Timing]:
@@ -273,29 +179,31 @@ def _other_spacings(problem: Problem, start: Start, t: Column, grid: Grid) -> It
         scaled = t._replace(values=t.values * tau, units=t.units * tau)
         inside = grid._replace(first=grid.first * tau, every=grid.every * tau, unit=grid.unit * tau)
         rows = _layout(problem, scaled, inside, factor * tau, factor_dt * tau)
-        clock = _clock(scaled, inside, factor_dt * tau, factor * tau, KNOWN)
+        clock = clock_of(scaled, inside, factor_dt * tau, factor * tau, KNOWN)
         yield Timing(clock, tau, (error("times_in_periods"), *rows), tau)
     per_row = problem.steps_per_row
     for rounded in {math.floor(per_row), round(per_row), math.ceil(per_row)} - {0}:
         every = rounded * factor_dt * tau
-        if abs(per_row - round(per_row)) > PERIOD * per_row and _is_on_time(t, grid, every):
+        if abs(per_row - round(per_row)) > PERIOD * per_row and is_on_time(t, grid, every):
             said = remark("interval_rounded", **spacing)
-            yield Timing(_clock(t, grid, factor_dt * tau, every, KNOWN), tau, (said,))
+            yield Timing(clock_of(t, grid, factor_dt * tau, every, KNOWN), tau, (said,))
             return
     for every in (factor, whole):
         if _is_spacing(grid, t, every, factor_dt * tau):
-            yield Timing(_clock(t, grid, factor_dt * tau, every, KNOWN), tau, (error("seconds", **spacing),))
+            yield Timing(clock_of(t, grid, factor_dt * tau, every, KNOWN), tau, (error("seconds", **spacing),))
     if abs(grid.every - factor_dt * tau) <= grid.unit / max(grid.rows - 1, 1) + PERIOD * grid.every:
-        yield Timing(_clock(t, grid, factor_dt * tau, factor_dt * tau, KNOWN), tau, (error("every_step", every=factor * tau),))
+        yield Timing(
+            clock_of(t, grid, factor_dt * tau, factor_dt * tau, KNOWN), tau, (error("every_step", every=factor * tau),)
+        )
     own = grid.every / factor
     values = {"tau": tau, "got": own, **spacing}
     rows = _layout(problem, t, grid, grid.every, factor_dt * own)
     if any(finding.name == "uneven_rows" for finding in rows):
-        yield Timing(_clock(t, grid, factor_dt * tau, factor * tau, KNOWN), tau, rows)
+        yield Timing(clock_of(t, grid, factor_dt * tau, factor * tau, KNOWN), tau, rows)
         return
     said = off(start, own, doubt, values)
     sinusoid = own * (math.pi / float(said.values["pi"])) if said.name == "rough_pi" else own
-    yield Timing(_clock(t, grid, factor_dt * own, grid.every, min(doubt, MOST_DOUBT)), sinusoid, (said, *rows))
+    yield Timing(clock_of(t, grid, factor_dt * own, grid.every, min(doubt, MOST_DOUBT)), sinusoid, (said, *rows))
 
 
 def off(start: Start, own: float, doubt: float, values: dict[str, float]) -> Finding:
@@ -324,7 +232,7 @@ def off(start: Start, own: float, doubt: float, values: dict[str, float]) -> Fin
 
 def _layout(problem: Problem, t: Column, grid: Grid, every: float, dt: float) -> tuple[Finding, ...]:
     """What is wrong with the rows of a program whose period is known."""
-    late = _latest(every, dt)
+    late = latest(every, dt)
     slack = late + grid.unit
     off = np.minimum(np.abs(t.values - grid.values), np.abs(t.values - grid.places * every))
     wrong = np.flatnonzero(off > late + 2 * t.units)

@@ -114,6 +114,7 @@ ELSEWHERE = {
     "theta0_in_degrees+euler": (DEGREES, QUARTER),
     "theta0_integer": (QUARTER, BOTH_IN_DEGREES),
     "velocity_along": (START, QUARTER),
+    "times_nominal": (UNEVEN, UNEVEN_TURNS),
     "verlet": (START, COARSE),
     "weights_equal": (START, COARSE),
     "wraps_closed_above": (UPRIGHT, UPRIGHT_BACKWARDS),

@@ -26,8 +26,8 @@ theta0_degrees_inverted, omega0_degrees_inverted, both_degrees_inverted, rough_p
 start_exchanged, omega0_is_root_alpha, omega0_forgotten, theta0_forgotten, theta0_integer, omega0_integer,
 single_constants
 # alpha
-alpha_root, alpha_square, alpha_inverse, alpha_unused, alpha_integer, alpha_gravity alpha, alpha_product g,
-alpha_factor alpha given
+alpha_root, alpha_square, alpha_inverse, alpha_unused, alpha_integer, alpha_gravity alpha, alpha_of_length g,
+alpha_product g, alpha_factor alpha given
 # period
 period_doubled, period_halved, period_without_half, period_a formula, period_first_term, period_small,
 period_modulus r, theta_max formula, period_alpha factor, series_cut relative, series_other formula,
@@ -49,10 +49,11 @@ torque torque, drive amplitude frequency, length_in_force
 # rows
 step_late, step_early, step_late_but_first, step_early_but_first, omega_behind, omega_ahead, theta_behind, theta_ahead,
 time_twice, row_late, row_early, late_start first, starts_at_step first, starts_at_interval first, first_row_twice,
-every_step, step_is_interval, seconds every spacing, interval_miscounted steps wanted, interval_of_run every spacing,
-interval_rounded every spacing, times_in_periods, time_single, times_off, uneven_rows row every, one_row expected,
-last_row_lost until, last_row_won until last, early_end last until rows expected, late_end last until rows expected,
-not_judged t, wrong_cell count, other_start theta omega angle velocity, unexplained order energy
+every_step, step_missing, step_more, step_is_interval, seconds every spacing, interval_miscounted steps wanted,
+interval_of_run every spacing, interval_rounded every spacing, times_in_periods, time_single, times_nominal, times_off,
+uneven_rows row every, one_row expected, last_row_lost until, last_row_won until last,
+early_end last until rows expected, late_end last until rows expected, not_judged t, wrong_cell count,
+other_start theta omega angle velocity, unexplained order energy
 # printing
 angle_in_degrees, velocity_in_degrees, velocity_along g, not_normalised, wraps_one_side, wraps_fmod,
 wraps_zero_to_two_pi, wraps_closed_above, theta_absolute, theta_negated, omega_negated, acceleration_printed,

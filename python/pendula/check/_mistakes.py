@@ -93,6 +93,7 @@ ALPHAS = (
     stiffness("alpha_inverse", 1, -1),
     stiffness("alpha_unused", 1, 0),
     *(stiffness("alpha_gravity", g, 0, alpha=g) for g in (9.8, 9.81, 9.80665, 10.0)),
+    *(stiffness("alpha_of_length", g, -1, g=g) for g in (9.8, 9.81, 9.80665, 10.0)),
     *(stiffness("alpha_product", g * g, -1, g=g) for g in (9.8, 9.81, 9.80665, 10.0)),
 )
 
@@ -108,6 +109,8 @@ ROWS = (
     late("step_late_but_first", steps_late=1, first_is_right=True),
     late("step_is_interval", is_coarse=True),
     late("time_twice", pace=0.5),
+    late("step_missing", more=-1),
+    late("step_more", more=1),
     late("row_late", rows_late=1),
     late("row_early", rows_late=-1),
     late("omega_behind", omega_late=-1),

@@ -84,6 +84,11 @@ LIMITS: tuple[tuple[str, Callable[[Start], float]], ...] = (
     ("arccos(cos θ0 − ω0²/α)", lambda start: math.acos(math.cos(start.theta0) - start.omega0**2 / start.alpha)),
     ("arccos(cos θ0 − ω0²/2)", lambda start: math.acos(math.cos(start.theta0) - start.omega0**2 / 2)),
     ("arccos(cos θ0 − ω0²·α/2)", lambda start: math.acos(math.cos(start.theta0) - start.omega0**2 * start.alpha / 2)),
+    ("arccos(cos ω0 − θ0²/(2α))", lambda start: math.acos(math.cos(start.omega0) - start.theta0**2 / (2 * start.alpha))),
+    (
+        "arccos(cos(180·θ0/π) − ω0²/(2α))",
+        lambda start: math.acos(math.cos(start.theta0 * 180 / math.pi) - start.omega0**2 / (2 * start.alpha)),
+    ),
     ("arccos(cos θ0 − ω0/(2α))", lambda start: math.acos(math.cos(start.theta0) - start.omega0 / (2 * start.alpha))),
 )
 

@@ -100,6 +100,8 @@ class Program:
     rows_late: int = 0
     pace: float = 1.0
     """How many steps are taken for one that is counted."""
+    more: int = 0
+    """How many steps too many are taken between two rows."""
     is_coarse: bool = False
     """Whether the step is the time between rows."""
     first_is_right: bool = False
@@ -202,9 +204,11 @@ class Motion(NamedTuple):
 
 def paced(program: Program, clock: Clock) -> Clock:
     """The steps that a program takes where the right one takes those of the clock."""
+    per_row = max(1, int(np.median(np.diff(clock.steps)))) if clock.steps.size > 1 else 1
     if program.is_coarse:
-        per_row = max(1, int(np.median(np.diff(clock.steps)))) if clock.steps.size > 1 else 1
         return clock._replace(steps=clock.steps // per_row, dt=clock.dt * per_row)
+    if program.more:
+        return clock._replace(steps=clock.steps + clock.steps // per_row * program.more)
     if program.pace != 1:
         return clock._replace(steps=np.round(clock.steps * program.pace).astype(np.int64))
     return clock

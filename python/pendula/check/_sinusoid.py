@@ -80,7 +80,7 @@ def _to(name: str, group: str, of: dict[str, Value] | None = None, **fields: flo
 
 def wrong_sinusoids(start: Start, right: Sinusoid, clock: Clock) -> list[Wrong]:
     """Mistakes in the order in which students make them."""
-    rows = [*_amplitudes(start, right), *_rates(start, right), *_phases(start, right), *_lags(clock)]
+    rows = [*_amplitudes(start, right), *_rates(start, right, float(clock.t[-1])), *_phases(start, right), *_lags(clock)]
     return sorted(rows, key=lambda row: ORDER.index(row.name) if row.name in ORDER else len(ORDER))
 
 
@@ -103,7 +103,7 @@ def _amplitudes(start: Start, right: Sinusoid) -> Iterator[Wrong]:
             yield _to("theta_max", "all", {"formula": formula}, amplitude=limit, phase=phase)
 
 
-def _rates(start: Start, right: Sinusoid) -> Iterator[Wrong]:
+def _rates(start: Start, right: Sinusoid, until: float) -> Iterator[Wrong]:
     rate, tau = right.rate, 2 * math.pi / right.rate
     yield _to("sine_small_period", "rate", rate=2 * math.pi / small_period(start))
     yield _to("sine_double_period", "rate", rate=rate / 2)
@@ -111,6 +111,8 @@ def _rates(start: Start, right: Sinusoid) -> Iterator[Wrong]:
     yield _to("sine_without_two_pi", "rate", rate=1 / tau)
     yield _to("sine_period_inverted", "rate", rate=2 * math.pi * tau)
     yield _to("sine_without_period", "rate", rate=2 * math.pi)
+    if until > 0:
+        yield _to("sine_rate", "rate", {"rate": "2πt/t_simul"}, rate=2 * math.pi / until)
     yield _to("sine_rate", "rate", {"rate": "α·t"}, rate=start.alpha)
     yield _to("sine_rate", "rate", {"rate": "ω0·t"}, rate=start.omega0)
     yield _to("sine_argument_degrees", "rate", rate=rate / DEGREE)

@@ -54,7 +54,7 @@ def explained(problem: Problem, view: View, search: Search) -> list[Explanation]
     found = search.explanations(3)
     if found:
         return found
-    if _on_a_circle(columns):
+    if _on_a_circle(columns) and any(wrong[0] for wrong in view.wrong[:2]):
         return error("cartesian")
     elsewhere = _other_start(problem, view)
     if elsewhere:

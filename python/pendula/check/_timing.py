@@ -33,6 +33,7 @@ if TYPE_CHECKING:
     from pendula.check._table import Column
 
 MOST_DOUBT = 1e-5  # relative: of a period that is known by the times printed alone
+ROUGH = 1e-4  # relative: how near a wrong period must be to that of a formula
 ROUGH_PIS = (3.14, 3.1415, 3.1416)
 LARGEST_RATIO = 12  # of whole numbers that a period may be off by, from zeros that were counted
 
@@ -149,7 +150,9 @@ def _timing(problem: Problem, t: Column, grid: Grid, own: float, findings: tuple
     last = abs(float(t.values[-1]))
     if last > 0 and usual(np.abs(t.values - grid.values) / t.units) <= 2 and abs(grid.first) <= grid.unit:
         seen = grid.unit / last
-        if seen < KNOWN and abs(grid.every / every - 1) <= PERIOD:  # the times tell the period better than theory
+        # A wrong period is known by its times alone: where its series is cut may be another mistake.
+        nearest, near = (MOST_DOUBT, ROUGH) if findings else (KNOWN, PERIOD)
+        if seen < nearest and abs(grid.every / every - 1) <= near:  # the times tell the period better than theory
             own, doubt = own * (grid.every / every), max(seen, 1e-14)
             every, dt = (each / problem.tau * own for each in (problem.every, problem.dt))
     yield Timing(clock_of(t, grid, dt, every, doubt), own, (*findings, *_layout(problem, t, grid, every, dt)))
@@ -161,6 +164,10 @@ def _timing(problem: Problem, t: Column, grid: Grid, own: float, findings: tuple
             if np.all(np.abs(whole * dt - t.values) <= t.units + PERIOD * np.abs(t.values)):
                 clock = Clock(whole.astype(np.int64), dt, doubt, np.zeros(whole.size))
                 yield Timing(clock, own, (*findings, *layout))
+    if abs(per_row - round(per_row)) > PERIOD * per_row and is_on_time(t, grid, every) and not findings:
+        whole = np.ceil(grid.places * per_row * (1 - 1e-9))
+        clock = Clock(whole.astype(np.int64), dt, doubt, np.zeros(whole.size))
+        yield Timing(clock, own, (error("times_nominal"), *_layout(problem, t, grid, every, dt)))
     # The times of all rows may be off by a step or a row, and the states those of t = 0 and so on.
     for name, moved in (("step_late", -dt), ("step_early", dt), ("row_late", -every), ("row_early", every)):
         if abs(moved) > 2 * grid.unit and abs(grid.first - moved) <= grid.unit + PERIOD * every:

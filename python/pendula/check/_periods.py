@@ -151,6 +151,11 @@ class Period(NamedTuple):
     regimes: tuple[int, ...]
     tau: Callable[[Start], float]
 
+    @property
+    def is_sum(self) -> bool:
+        """Whether it is a sum of other terms, which a program may cut, too."""
+        return self.name == "series_not_squared" or "in place of" in str(self.values.get("formula"))
+
 
 def row(name: str, regimes: tuple[int, ...], tau: Callable[[Start], float], **values: Value) -> Period:
     """A row of the table below."""

@@ -34,6 +34,7 @@ if TYPE_CHECKING:
 
 MOST_DOUBT = 1e-5  # relative: of a period that is known by the times printed alone
 ROUGH = 1e-4  # relative: how near a wrong period must be to that of a formula
+FAR = 1e-3  # relative: a sum nearer to τ may be the right one, cut
 ROUGH_PIS = (3.14, 3.1415, 3.1416)
 LARGEST_RATIO = 12  # of whole numbers that a period may be off by, from zeros that were counted
 
@@ -89,6 +90,11 @@ def timings(problem: Problem, start: Start, t: Column, places: Floats, pi: float
         return
     known = [
         (mistake, own) for mistake, own in wrong_periods(start) if _is_spacing(grid, t, factor_every * own, factor_dt * own)
+    ]
+    known = known or [
+        (mistake, own)
+        for mistake, own in wrong_periods(start)
+        if mistake.is_sum and abs(own / tau - 1) > FAR and abs(grid.every / (factor_every * own) - 1) <= ROUGH
     ]
     if known:
         said = tuple(_said(mistake, problem, tau, own) for mistake, own in known)

@@ -4,7 +4,7 @@ run_needs = g++ cmake ninja-build
 lint_needs = $(run_needs) python3-venv clang-19 clang-format-19 clang-tidy-19
 test_needs = $(bench_needs) $(lint_needs) libgtest-dev pkg-config nodejs locales \
 	lld-19 libclang-rt-19-dev wasi-libc libc++-19-dev-wasm32 libc++abi-19-dev-wasm32 libclang-rt-19-dev-wasm32 \
-	qemu-user g++-aarch64-linux-gnu gnuplot-nox
+	qemu-user g++-aarch64-linux-gnu gfortran gnuplot-nox
 bench_needs = $(run_needs) python3-venv python3-dev libbenchmark-dev libboost-dev libgsl-dev
 figures_needs = $(run_needs) python3-venv python3-dev gnuplot-nox
 

@@ -28,7 +28,9 @@ std::vector<TableColumn> read_columns(const Options& options) {
     return chosen;
 }
 
-Layout read_layout(const Options& options) { return {read_columns(options), style_of(options)}; }
+Layout read_layout(const Options& options) {
+    return {read_columns(options), style_of(options), !is_given(options, "--dry-run")};
+}
 
 void read_duration(const Options& options, std::string_view factor, std::string_view time, Duration& duration) {
     refuse_both(options, factor, time);
@@ -42,6 +44,18 @@ Durations read_durations(const Options& options) {
     read_duration(options, "--every-factor", "--every", durations.every);
     read_duration(options, "--until-factor", "--until", durations.until);
     return durations;
+}
+
+/// A dry run has no rows, and its headers are no reason to write over those of an earlier run.
+Writer writer_of(const Options& options, const Layout& layout) {
+    std::string path = output_path(options);
+    if (!layout.has_rows && !path.empty()) {
+        tell(say({"--dry-run leaves {0} as it is and prints to standard output",
+                  "--dry-run deja {0} como está y escribe en la salida estándar"},
+                 {in_quotes(path)}));
+        path.clear();
+    }
+    return {.path = std::move(path)};
 }
 
 void solve_one(Writer& writer, const Statement& statement, const Layout& layout, std::size_t number) {
@@ -60,7 +74,7 @@ void solve_input(const Options& options) {
     const Layout layout = read_layout(options);
     const Method method = method_of(options, method_names);
     const double tolerance = tolerance_of(options);
-    Writer writer{.path = output_path(options)};
+    Writer writer = writer_of(options, layout);
     if (isatty(STDIN_FILENO))
         tell(
             say({"type problems, eight values each, and end with Ctrl-D:\n"
@@ -98,7 +112,7 @@ void solve_options(const Options& options) {
                               .method = method_of(options, method_names),
                               .tolerance = tolerance_of(options),
                               .durations = read_durations(options)};
-    Writer writer{.path = output_path(options)};
+    Writer writer = writer_of(options, layout);
     solve_one(writer, statement, layout, 1);
     close(writer);
 }

@@ -148,6 +148,7 @@ void print_table(Writer& writer, const Prepared& prepared, const Layout& layout,
         if (number > 1) append(writer, "\n\n");  // gnuplot's index
         append(writer, header_line(names, format));
     }
+    if (!layout.has_rows) return flush(writer);
 
     Trajectory run = begin(prepared.problem);
     const auto at_hand = std::make_unique<Block>();

@@ -38,6 +38,7 @@ inline constexpr auto column_names = [] {
 struct Layout {
     std::vector<TableColumn> columns;  ///< empty for t, theta, omega, and sine where it oscillates
     Style style;
+    bool has_rows = true;  ///< otherwise what stands before the rows is all
 };
 
 /// Refuses columns of the closed form for a pendulum that has none, or later than it is right.

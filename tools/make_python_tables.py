@@ -111,7 +111,7 @@ def tables() -> str:
 
 def formatted(text: str, name: str) -> str:
     """As ruff has it."""
-    for command in (("check", "--quiet", "--select", "I", "--fix"), ("format",)):
+    for command in (("check", "--quiet", "--select", "I,C408", "--fix", "--unsafe-fixes"), ("format",)):
         arguments = [sys.executable, "-m", "ruff", *command, "--no-cache", "--stdin-filename", str(PACKAGE / name)]
         text = subprocess.run(arguments, input=text, capture_output=True, text=True, check=True, encoding="utf-8").stdout
     return text

@@ -12,6 +12,7 @@
 #include "pendula/measure.hpp"
 #include "pendula/parameters.hpp"
 #include "pendula/pendulum.hpp"
+#include "pendula/replay.hpp"
 #include "pendula/schedule.hpp"
 #include "pendula/solve.hpp"
 #include "pendula/steps.hpp"

@@ -145,6 +145,7 @@ void define_closed_form(nb::module_& module);
 void define_solve(nb::module_& module);
 void define_crossings(nb::module_& module);
 void define_measures(nb::module_& module);
+void define_replay(nb::module_& module);
 
 /// The closed form: theta in [-pi, pi), omega and turns, over the broadcast of pendulums and times.
 std::tuple<Array, Array, Array> states(const Reals& theta0, const Reals& omega0, const Reals& alpha, const Reals& t);

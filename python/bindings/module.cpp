@@ -126,4 +126,5 @@ NB_MODULE(_core, module) {
     define_solve(module);
     define_crossings(module);
     define_measures(module);
+    define_replay(module);
 }

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import shutil
+import signal
 import subprocess
 import sys
 import sysconfig
@@ -20,7 +21,7 @@ from pendula._core import Status, language_of, version
 from pendula._solution import Solution
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Callable, Iterator, Sequence
 
 DONE, BAD_DATA, BAD_USAGE, NOT_WRITTEN, INTERRUPTED = map(int, Status)
 
@@ -49,6 +50,11 @@ TEXTS: dict[str, Text] = {
         "el programa pendula no está entre los de este Python ni en PATH",
     ),
 }
+
+NO_MATPLOTLIB: Text = (
+    "matplotlib is missing; install it with: pip install 'pendula[plot]'",
+    "falta matplotlib; instálalo con: pip install 'pendula[plot]'",
+)
 
 
 def say(text: Text, lang: str, *values: object, **named: object) -> str:
@@ -89,7 +95,7 @@ COMMON = (Option("--lang", TEXTS["lang"], "L"), Option("--help", TEXTS["help"]),
 def run(command: Command, work: Callable[[dict[str, str], list[str], str], int]) -> int:
     """A console script: does the work with its options, other words and language, and returns the status to end with."""
     arguments = sys.argv[1:]
-    lang = language_of(arguments)
+    lang = language_of([word.encode(errors="replace").decode() for word in arguments])  # names of files need be no text
     try:
         given, rest = read_options(command, arguments)
         if "--help" in given:
@@ -103,6 +109,7 @@ def run(command: Command, work: Callable[[dict[str, str], list[str], str], int])
             tell(f"{command.name}: {say(refused.text, lang, *refused.values)}")
         return refused.status
     except KeyboardInterrupt:
+        signal.signal(signal.SIGINT, signal.SIG_IGN)  # once is enough: what is left is to end
         return INTERRUPTED
     return DONE
 
@@ -190,14 +197,28 @@ def solve(arguments: Sequence[str], problems: IO[bytes] | None = None, *, states
     states_problem: the arguments are those of `pendula solve` and state the one problem. RefusedError where the program is not
     found or does not end with status 0.
     """
-    # The program's own options come first: a word in front of them would be the name of a command.
-    options = ("--columns", ",".join(COLUMNS), "--format", "json", "--precision", "full")
-    command = [path(), *(["solve"] if states_problem else []), *options, *arguments]
+    lines = printed([*(["solve"] if states_problem else []), "--columns", ",".join(COLUMNS), *arguments], problems)
+    solved: list[tuple[dict[str, Any], list[list[float]]]] = []
+    for values in lines:
+        if "problem" in values:
+            solved.append((values, []))
+        else:
+            solved[-1][1].append([np.nan if values[name] is None else values[name] for name in COLUMNS])
+    return [_solved(problem, rows) for problem, rows in solved]
+
+
+def printed(arguments: Sequence[str], problems: IO[bytes] | None = None) -> Iterator[dict[str, Any]]:
+    """What the program prints, to the last bit, as an object a line; it reads from a file, else from standard input.
+
+    RefusedError where the program is not found or does not end with status 0.
+    """
+    # A word of the arguments may be the name of a command, which comes first.
+    command = [path(), *arguments, "--format", "json", "--precision", "full"]
     with subprocess.Popen(command, stdin=problems, stdout=subprocess.PIPE, encoding="utf-8") as process:
         try:
             assert process.stdout is not None
-            printed = process.stdout.read(MOST_CHARACTERS + 1)
-            if len(printed) > MOST_CHARACTERS:
+            text = process.stdout.read(MOST_CHARACTERS + 1)
+            if len(text) > MOST_CHARACTERS:
                 raise RefusedError(BAD_USAGE, TEXTS["too many rows"])
             status = process.wait()
         except BaseException:
@@ -205,14 +226,7 @@ def solve(arguments: Sequence[str], problems: IO[bytes] | None = None, *, states
             raise
     if status != 0:  # negative: the signal that ended it
         raise RefusedError(status if status > 0 else 128 - status)
-    solved: list[tuple[dict[str, Any], list[list[float]]]] = []
-    for line in printed.splitlines():
-        values = json.loads(line)
-        if "problem" in values:
-            solved.append((values, []))
-        else:
-            solved[-1][1].append([np.nan if values[name] is None else values[name] for name in COLUMNS])
-    return [_solved(problem, rows) for problem, rows in solved]
+    return map(json.loads, text.splitlines())
 
 
 def path() -> str:

@@ -1,8 +1,10 @@
 import enum
 from collections.abc import Sequence
+from typing import Annotated
 
 import numpy
 import numpy.typing
+from numpy.typing import NDArray
 
 version: str
 
@@ -332,3 +334,32 @@ def jumps(
 def share_error(
     count: numpy.typing.ArrayLike | None, trials: numpy.typing.ArrayLike | None
 ) -> numpy.typing.NDArray[numpy.float64]: ...
+
+class Force(enum.IntEnum):
+    """What a program has in the place of the sine."""
+
+    sine = 0
+
+    cosine = 1
+
+    linear = 2
+
+    cubic = 3
+
+    quintic = 4
+
+def replay(
+    start: Annotated[NDArray[numpy.float64], {"shape": (None, None), "order": "C", "device": "cpu", "writable": False}],
+    terms: Annotated[NDArray[numpy.float64], {"shape": (None, None), "order": "C", "device": "cpu", "writable": False}],
+    force: Annotated[NDArray[numpy.int32], {"shape": (None,), "order": "C", "device": "cpu", "writable": False}],
+    scale: Annotated[NDArray[numpy.float64], {"shape": (None,), "order": "C", "device": "cpu", "writable": False}],
+    dt: Annotated[NDArray[numpy.float64], {"shape": (None,), "order": "C", "device": "cpu", "writable": False}],
+    stages: Annotated[NDArray[numpy.float64], {"shape": (None, None, None), "order": "C", "device": "cpu", "writable": False}],
+    sums: Annotated[NDArray[numpy.float64], {"shape": (None, None, None), "order": "C", "device": "cpu", "writable": False}],
+    steps: Annotated[NDArray[numpy.int64], {"shape": (None, None), "order": "C", "device": "cpu", "writable": False}],
+    single: Annotated[NDArray[numpy.bool_], {"shape": (None,), "order": "C", "device": "cpu", "writable": False}],
+    threads: int = 0,
+) -> tuple[numpy.typing.NDArray[numpy.float64], numpy.typing.NDArray[numpy.float64]]:
+    """
+    Rows of programs that make steps by numbers (pendula/replay.hpp): theta, not wrapped, and omega, [program, row].
+    """

@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "kernels/chunk.hpp"
+#include "kernels/replay_chunk.hpp"
 #include "pendula/exact.hpp"
 
 namespace pendula::kernels {
@@ -23,6 +24,11 @@ struct Kernels {
     /// needs more: the call must then be repeated. taylor_tangent also integrates the displacements.
     bool (*taylor)(Chunk& chunk, TaylorChunk& steps, const Row& t, int most);
     bool (*taylor_tangent)(Chunk& chunk, TaylorChunk& steps, const Row& t, int most);
+
+    /// Makes `steps` steps of every program, of which `first` steps have been made. replay_single computes with floats; the
+    /// numbers of its chunk are floats.
+    void (*replay)(ReplayChunk& chunk, double first, int steps);
+    void (*replay_single)(ReplayChunk& chunk, double first, int steps);
 };
 
 /// The kernels of the widest instruction set of this processor, or of the set that the environment variable PENDULA_ISA names

@@ -79,7 +79,11 @@ void rk4(Chunk& c, const Row& row_time, const Row& h, double first, int steps) {
 bool taylor(Chunk& chunk, TaylorChunk& steps, const Row& t, int most);
 bool taylor_tangent(Chunk& chunk, TaylorChunk& steps, const Row& t, int most);
 
+// Defined in replay_kernels.cpp.
+void replay(ReplayChunk& chunk, double first, int steps);
+void replay_single(ReplayChunk& chunk, double first, int steps);
+
 extern const Kernels kernels;
-const Kernels kernels{PENDULA_NAME(PENDULA_ISA), exact, rk4<false>, rk4<true>, taylor, taylor_tangent};
+const Kernels kernels{PENDULA_NAME(PENDULA_ISA), exact, rk4<false>, rk4<true>, taylor, taylor_tangent, replay, replay_single};
 
 }  // namespace pendula::kernels::inline PENDULA_ISA

@@ -182,3 +182,28 @@ def test_the_shortest_and_the_longest_periods_have_amplitudes(pendula):
     assert pendula("analyze", "--tau", "2pi").stdout == b"-1 0 6.28319\n"
     assert pendula("analyze", "--tau", "1e300", "--precision", "full").stdout == b"-1 3.141592653589793 1e+300\n"
     assert pendula("analyze", "--tau", "pi", "--alpha", "4").stdout == b"-1 0 3.14159\n"
+
+
+def test_a_dry_run_checks_all_problems_and_prints_no_rows(pendula):
+    problems = "0.0001 0.02 1 90 s 0 r 1\n1e-12 0.02 1000 0 r 2.01 r 1\n"  # the second is of 10^15 steps
+    done = pendula("--dry-run", "--format", "json", text=problems)
+    first, second = map(json.loads, done.stdout.splitlines())
+    assert (first["k"], first["rows"], second["k"], second["rows"]) == (-1, 51, 1, 50001)
+    text = pendula("--dry-run", text=problems).stdout
+    assert text == b"t angulo velocidad funcionSinusoidal\n\n\nt angulo velocidad\n"
+    bad = pendula("--dry-run", text=problems + "0.0001 0.02 1 90 s 0 r -1\n")
+    assert bad.returncode == 1
+    assert b"problem 3" in bad.stderr
+    one = pendula("solve", "--theta0", "1", "--dry-run", "--format", "csv").stdout
+    assert one == b"t,theta,omega,sine\n"
+
+
+def test_a_dry_run_leaves_the_file_of_an_earlier_run_as_it_is(pendula, tmp_path):
+    earlier = tmp_path / "earlier.csv"
+    earlier.write_text("rows of hours")
+    for command, text in ((("solve", "--theta0", "1"), ""), ((), "0.0001 0.02 1 90 s 0 r 1\n")):
+        done = pendula(*command, "--dry-run", "--output", "earlier.csv", text=text, cwd=tmp_path)
+        assert (done.returncode, done.stdout) == (0, b"t angulo velocidad funcionSinusoidal\n")
+        assert b'leaves "earlier.csv" as it is' in done.stderr
+        assert earlier.read_text() == "rows of hours"
+    assert pendula("--dry-run", "--output", "-", text="0.0001 0.02 1 90 s 0 r 1\n").stderr == b""

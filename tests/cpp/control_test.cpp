@@ -42,11 +42,19 @@ std::function<Outcome(double, const Control&)> measure_of(Measure what, Method m
     };
 }
 
+Outcome replayed(double length, const Control& control) {
+    const double euler[] = {1, 1, 0, 0, 0, 0, 0}, sums[] = {0.01, 0, 0, 0.01};
+    const std::int64_t steps[] = {static_cast<std::int64_t>(length), static_cast<std::int64_t>(2 * length)};
+    const Program program{.initial = {1, 0}, .stages = 1, .coefficients = euler, .sums = sums, .steps = steps};
+    return replay(std::vector<Program>(members, program), {column[0], column[1]}, control);
+}
+
 const LongCall calls[] = {
     {"ensemble by rk4", 20, 1e9, ensemble_by(Method::rk4)},
     {"ensemble by euler", 20, 1e9, ensemble_by(Method::euler)},
     {"ensemble by verlet", 20, 1e9, ensemble_by(Method::verlet)},
     {"ensemble by taylor", 100, 1e12, ensemble_by(Method::taylor)},
+    {"replay", 2e4, 1e15, replayed},
     {"section by rk4", 20, 1e9, measure_of(Measure::section, Method::rk4)},
     {"section by taylor", 20, 1e9, measure_of(Measure::section, Method::taylor)},
     {"mean velocity", 20, 1e9, measure_of(Measure::mean_velocity, Method::rk4)},

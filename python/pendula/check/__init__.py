@@ -1,20 +1,25 @@
 """The marking of coursework: tables that students' programs have printed, beside what the core gives for their problems."""
 
-from pendula.check._findings import Finding
+from pendula.check._finding import Finding, Where
 from pendula.check._judge import Judgement, judge
-from pendula.check._problem import Asked, Start, asked
+from pendula.check._match import match
+from pendula.check._program import Problem, Start, problems
 from pendula.check._table import Table, UnreadableError, decoded, read_file, tables
+from pendula.check._view import Deviation
 
 __all__ = [
-    "Asked",
+    "Deviation",
     "Finding",
     "Judgement",
+    "Problem",
     "Start",
     "Table",
     "UnreadableError",
-    "asked",
+    "Where",
     "decoded",
     "judge",
+    "match",
+    "problems",
     "read_file",
     "tables",
 ]

@@ -1,37 +1,30 @@
-"""Marks a table: what is wrong with its layout, states, times and sinusoid, each mistake told once."""
+"""Marks a table: what is wrong with its layout, times, states, their printing and the sinusoid, each mistake told once."""
 
 from __future__ import annotations
 
-from itertools import product
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from pendula.check._findings import ERROR, Finding, Value, error, remark
-from pendula.check._mistakes import SINUSOIDS, Reading, explain
-from pendula.check._problem import (
-    PERIOD,
-    Asked,
-    Deviation,
-    Start,
-    deviations,
-    fits,
-    right_at_times,
-    right_sine,
-    sine_fits,
-    wrap,
-)
-from pendula.check._table import ROLES, WORDS, Column, Columns, columns_at, placements, roles_of
+from pendula.check._explain import Explanation, Search
+from pendula.check._finding import ERROR, REMARK, Finding, Value, error, remark
+from pendula.check._predict import AS_ASKED
+from pendula.check._program import RIGHT, Problem, Start, analysis, taken
+from pendula.check._sinusoid import UNKNOWN, of_sinusoid
+from pendula.check._states import explained, told
+from pendula.check._table import STATE, WORDS, Column, Columns, columns_at, placements, roles_of
+from pendula.check._view import Deviation, View, deviations, first_wrong, has_same_states, view_of
+from pendula.check._wrapping import of_wrapping
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Sequence
 
-    from pendula.check._table import Floats, Integers, Table
+    from pendula.check._table import Table
 
 FEW_DIGITS = 5
-
-# Mistakes after which the sinusoid has the wrong period, too.
-OWN_PERIODS = ("period doubled", "period halved", "series not begun", "series cut", "tau")
+ROUGH = 2e-3  # relative: what 3.14 for π does to a sinusoid
+MOST_PLACEMENTS = 12
+MOST_WRONG = 4  # placements that a wrong table's columns are tried in
 
 
 class Judgement(NamedTuple):
@@ -40,6 +33,9 @@ class Judgement(NamedTuple):
     findings: list[Finding]
     deviations: dict[str, Deviation]
     """By the columns' roles."""
+    columns: Columns | None = None
+    digits: int = 6
+    """With how many its numbers are told."""
 
     @property
     def is_right(self) -> bool:
@@ -47,214 +43,178 @@ class Judgement(NamedTuple):
         return all(finding.severity != ERROR for finding in self.findings)
 
 
-def judge(problem: Asked, table: Table) -> Judgement:
-    """Compares every column with the truth and, where they differ, finds the mistake that explains it."""
-    findings = _judge_header(problem, table)
-    found = ((name, columns_at(table, places)) for name, places in placements(table, problem.regime == -1))
-    candidates = [(name, columns) for name, columns in found if columns is not None]
-    if not candidates:
-        return Judgement([*findings, error("columns", found=table.values.shape[1])], {})
+def judge(problem: Problem, table: Table) -> Judgement:
+    """Predicts every column and, where the table differs, finds the program that prints it."""
+    with np.errstate(all="ignore"):  # numbers that overflow are no right ones, and that is all there is to it
+        return _judged(problem, table)
+
+
+def _judged(problem: Problem, table: Table) -> Judgement:
+    findings = _of_header(problem, table)
+    found: list[tuple[str, Columns]] = []
+    for name, places in placements(table, problem.regime == -1):
+        columns = columns_at(table, places)
+        if columns is not None and len(found) < MOST_PLACEMENTS:
+            found.append((name, columns))
+    if not found:
+        is_told = any(finding.name in ("no_time", "cartesian") for finding in findings)
+        return Judgement(findings if is_told else [*findings, _without_states(table)], {})
     # As the header says or, where only that makes the states right, in another order.
-    name, columns = next((each for each in candidates if _is_right(problem, each[1])), candidates[0])
+    is_twice = len(table.values) > 1 and np.array_equal(table.values[0], table.values[1])
+    if is_twice:
+        table = _without_first(table)
+        found = [(name, _without_first_row(columns)) for name, columns in found if columns.lines.size > 1]
+    views = [(name, view_of(problem, table, columns)) for name, columns in found]
+    name, view, of_states = _best(problem, views)
     if name:
         findings.append(error(name, header=" ".join(table.header)))
-    lost = np.setdiff1d(table.lines, columns.lines)
-    findings += _judge_rows(table, columns, lost)
-    reading = explain(problem, columns)
-    off = deviations(problem, columns)
-    findings += _judge_states(columns, reading, off)
-    taken = reading.explanation.start(problem.start) if reading else problem.start
-    times = reading.times if reading else columns.t
-    in_time = [] if lost.size else judge_times(problem, taken, times, columns.sine is not None)
-    is_single = reading is not None and reading.explanation.name == "single precision"
-    if is_single:  # its sums of times are inaccurate, too
-        in_time = [finding for finding in in_time if finding.name not in (*OWN_PERIODS, "uneven rows")]
-    findings += in_time
-    times = _in_own_periods(taken, times, in_time)
-    if all(finding.name != "regime" for finding in findings):
-        findings += _judge_sine(problem, taken, columns, times, is_single)
-    return Judgement(findings, off)
+    if is_twice:
+        findings.append(error("first_row_twice"))
+    findings += _of_rows(table, view.columns)
+    findings += of_states
+    off = deviations(problem, view)
+    if any(finding.name == "cartesian" for finding in findings):
+        findings = [finding for finding in findings if finding.name not in ("sine_missing", "sine_unexplained")]
+    findings = list({finding.name: finding for finding in reversed(findings)}.values())[::-1]
+    return Judgement(findings, off, view.columns, max(view.columns.digits, 3))
+
+
+def _best(problem: Problem, views: Sequence[tuple[str, View]]) -> tuple[str, View, list[Finding]]:
+    """The columns that there is least to say of: those with right states, else those whose states one mistake explains."""
+    right = [each for each in views if each[1].is_right and each[1].judged > 0]
+    view, search = (right[0][1], None) if right else _likeliest(problem, views)
+    found = explained(problem, view, search) if search else None
+    # Where nothing tells which column is the sinusoid, it is the one that fits.
+    same = [each for each in right or views if has_same_states(each[1], view)]
+    best, least = None, np.inf
+    for each_name, each in same:
+        findings = _of_states(problem, each, found)
+        weight = sum(3 if finding.name == "sine_unexplained" else 1 for finding in findings if finding.severity == ERROR)
+        if weight + 0.5 * bool(each_name) < least:
+            best, least = (each_name, each, findings), weight + 0.5 * bool(each_name)
+        if least == 0:
+            break
+    assert best is not None
+    return best
+
+
+def _likeliest(problem: Problem, views: Sequence[tuple[str, View]]) -> tuple[View, Search]:
+    """Of columns with wrong states, those with few wrong cells; else those that one mistake explains; else the first."""
+    tried: list[tuple[View, Search]] = []
+    for _, each in views:
+        if len(tried) < MOST_WRONG and not any(has_same_states(each, view) for view, _ in tried):
+            search = Search(problem, each.columns, each.places)
+            tried.append((each, search))
+            if each.are_cells or search.explanations(1):
+                return each, search
+    return tried[0]
+
+
+def _without_first(table: Table) -> Table:
+    return table._replace(values=table.values[1:], units=table.units[1:], lines=table.lines[1:])
+
+
+def _without_first_row(columns: Columns) -> Columns:
+    def rest(column: Column) -> Column:
+        return Column(column.values[1:], column.units[1:])
+
+    sine = None if columns.sine is None else rest(columns.sine)
+    t, theta, omega = map(rest, columns[:3])
+    return columns._replace(t=t, theta=theta, omega=omega, sine=sine, lines=columns.lines[1:])
 
 
 # Layout.
 
 
-def _judge_header(problem: Asked, table: Table) -> list[Finding]:
+def _of_header(problem: Problem, table: Table) -> list[Finding]:
     """Remarks on the header; nothing is wrong with a table that lacks one."""
+    findings = [Finding(name, values, _severity(name, values)) for name, values in table.notes]
     has_sine = "sine" in roles_of(table.header) if table.header else problem.regime == -1
     words = WORDS if has_sine else WORDS[:3]
     if not table.header:
-        return [remark("no header", words=" ".join(words))]
+        return [*findings, remark("no_header", words=" ".join(words))]
     if table.header[: len(words)] != words:
-        return [remark("other header", header=" ".join(table.header), words=" ".join(words))]
-    return []
+        return [*findings, remark("other_header", header=" ".join(table.header), words=" ".join(words))]
+    return findings
 
 
-def _is_right(problem: Asked, columns: Columns) -> bool:
-    return all(map(np.all, fits(right_at_times(problem, columns.t), columns.theta, columns.omega)))
+def _severity(name: str, values: dict[str, Value]) -> str:
+    """A comma that is decimal and separator is a remark where all rows could be read."""
+    return ERROR if name in ("no_time", "cartesian") or (name == "comma_ambiguous" and values["count"]) else REMARK
 
 
-def _judge_rows(table: Table, columns: Columns, lost: Integers) -> list[Finding]:
+def _of_rows(table: Table, columns: Columns) -> list[Finding]:
     """Rows that lack numbers, and numbers of few digits."""
     findings = []
-    if table.ragged:
+    lost = np.setdiff1d(table.lines, columns.lines)
+    if table.ragged and all(name != "comma_ambiguous" for name, _ in table.notes):
         findings.append(error("ragged", line=table.ragged[0], count=len(table.ragged)))
     lost = np.setdiff1d(lost, table.ragged)
     if lost.size:
-        findings.append(error("not numbers", line=int(lost[0]), count=int(lost.size)))
+        findings.append(error("not_numbers", line=int(lost[0]), count=int(lost.size)))
     if columns.digits < FEW_DIGITS and np.ptp(columns.theta.values) > 0:
-        findings.append(remark("few digits", digits=columns.digits))
+        findings.append(remark("few_digits", digits=columns.digits))
     return findings
+
+
+def _without_states(table: Table) -> Finding:
+    """What there is to say of a table in which no row has a time and a state."""
+    whole = np.setdiff1d(table.lines, table.ragged)
+    if table.values.shape[1] < len(STATE) or not whole.size:
+        return error("columns", found=table.values.shape[1])
+    return error("not_numbers", line=int(whole[0]), count=int(whole.size))
 
 
 # States.
 
 
-def _judge_states(columns: Columns, reading: Reading | None, off: dict[str, Deviation]) -> list[Finding]:
-    """What is wrong with angle and velocity, whether a hypothesis explains them or none does."""
-    name = reading.explanation.name if reading else "unexplained"
-    findings = [error(name, **_first_wrong(columns, off))] if name else []
-    return findings + (_judge_units(columns, reading) if reading else [])
-
-
-def _first_wrong(columns: Columns, off: dict[str, Deviation]) -> dict[str, Value]:
-    """The first state that is not what it should be."""
-    wrong = [(each.first_wrong, role) for role, each in off.items() if role != "sine" and each.first_wrong is not None]
-    row, role = min(wrong)
-    got = {"theta": columns.theta, "omega": columns.omega}[role].values[row]
-    return {
-        "line": int(columns.lines[row]),
-        "t": float(columns.t.values[row]),
-        "column": WORDS[ROLES.index(role)],
-        "value": float(got),
-        "wanted": float(off[role].wanted[row]),
-    }
-
-
-def _judge_units(columns: Columns, reading: Reading) -> list[Finding]:
-    """Right states in degrees, and angles outside [-π, π)."""
-    findings = []
-    if reading.angle_unit != 1 and np.any(columns.theta.values):
-        findings.append(error("angle in degrees"))
-    if reading.velocity_unit != 1 and np.any(columns.omega.values):
-        findings.append(error("velocity in degrees"))
-    theta = columns.theta.scaled(reading.angle_unit)
-    outside = np.flatnonzero(np.abs(theta.values) > np.pi + theta.units)
-    if outside.size:
-        row = outside[0]
-        wanted = float(wrap(theta.values[row]))
-        line, value = int(columns.lines[row]), float(columns.theta.values[row])
-        findings.append(error("not normalised", line=line, value=value, wanted=wanted, count=int(outside.size)))
+def _of_states(problem: Problem, view: View, found: list[Explanation] | Finding | None) -> list[Finding]:
+    """What is wrong with times, angle, velocity and sinusoid. found: what explains states that are wrong."""
+    columns = view.columns
+    start, timing, prediction = taken(RIGHT, problem), view.timing, view.wanted
+    findings: list[Finding] = []
+    printing = AS_ASKED
+    doubt = UNKNOWN
+    is_rough = False
+    if not view.is_right:
+        if isinstance(found, Finding):
+            if found.name == "other_start":
+                return [found]  # its times and its sinusoid are those of that start
+            findings.append(found)
+            is_rough = found.name == "single_precision"
+        elif found:
+            best = found[0]
+            timing, prediction = best.candidate.timing, best.prediction
+            start = timing.start or best.candidate.reading.start
+            doubt = max(UNKNOWN, 2 * abs(best.candidate.reading.pi / np.pi - 1))
+            if any(each.name in ("rough_pi", "single_constants") for each in best.mistakes):
+                doubt = max(doubt, ROUGH)
+            printing = best.printing
+            findings += told(found, first_wrong(view))
+    elif view.judged < columns.t.values.size:
+        findings.append(remark("not_judged", t=float(columns.t.values[view.judged])))
+    in_time = list(timing.findings)
+    doubt = max([doubt, *(2 * abs(float(each.values["pi"]) - np.pi) for each in in_time if each.name == "rough_pi")])
+    if is_rough:  # its sums of times are inaccurate, too
+        in_time = [each for each in in_time if each.name not in ("series_cut", "tau", "tau_off", "uneven_rows", "times_off")]
+    findings += in_time
+    findings = _misjudged(problem, start, columns, findings)
+    if all(each.name != "rough_pi" for each in findings):  # the wrapping has the same π
+        findings += of_wrapping(columns.theta.scaled(1 / printing.theta_factor), prediction, printing.form, columns)
+    if all(each.name != "regime" for each in findings):
+        of_sine = of_sinusoid(problem, start, timing, columns, is_rough, printing.theta_factor, doubt)
+        # What explains the period and the sinusoid is told once.
+        names = {finding.name for finding in of_sine}
+        findings = [each for each in findings if names.isdisjoint(other.name for other in each.alternatives)] + of_sine
     return findings
 
 
-# Times.
-
-
-class Grid(NamedTuple):
-    """Times first + j every, as far as their digits tell."""
-
-    first: float
-    every: float
-    rows: int
-    unit: float
-    """Of the last digit of the last time."""
-
-    @property
-    def values(self) -> Floats:
-        """The times."""
-        return self.first + self.every * np.arange(float(self.rows))
-
-
-def judge_times(problem: Asked, taken: Start, times: Column, has_sine: bool) -> list[Finding]:
-    """What is wrong with the times of a program that took the pendulum for `taken`."""
-    t = times.values
-    if t.size < 2:
-        return [error("one row", expected=problem.rows)] if problem.rows > 1 else []
-    have = Grid(float(t[0]), float((t[-1] - t[0]) / (t.size - 1)), int(t.size), float(times.units.max()))
-    slack = 1.01 * problem.dt + have.unit  # a program may print a row at the end of the step that reaches its time
-    off = np.abs(t - have.values)
-    if off.max() > slack:
-        return [error("uneven rows", row=int(np.argmax(off > slack)) + 1, every=problem.every)]
-    findings = [error("late start", first=have.first)] if abs(have.first) > slack else []
-    # Rows that are not at the ends of steps show the period to the last digit.
-    drift = 2 * have.unit if off.max() <= 2 * have.unit else slack
-    as_taken = problem.every * taken.tau / problem.tau
-    expected = min((problem.every, as_taken), key=lambda every: abs(every - have.every))
-    if abs(have.every - expected) * (have.rows - 1) <= drift + PERIOD * expected * have.rows:
-        return findings + _judge_length(problem, have, slack)
-    return [*findings, _judge_spacing(problem, taken, have, has_sine)]
-
-
-def _judge_length(problem: Asked, have: Grid, slack: float) -> list[Finding]:
-    """Rows that are missing or too many; whether there is a row at the very end may depend on rounding."""
-    more = have.rows + round(have.first / problem.every) - problem.rows
-    last = have.first + have.every * (have.rows - 1)
-    counts: dict[str, Value] = {"rows": have.rows, "expected": problem.rows, "last": last, "until": problem.until}
-    if more == 0:
-        return []
-    if abs(more) == 1 and abs(problem.until - round(problem.until / problem.every) * problem.every) <= slack:
-        return [remark("last row lost" if more < 0 else "last row won", **counts)]
-    return [error("early end" if more < 0 else "late end", **counts)]
-
-
-def _judge_spacing(problem: Asked, taken: Start, have: Grid, has_sine: bool) -> Finding:
-    """The first mistake that gives the time between rows that there is."""
-    factor = problem.every / problem.tau
-    got = have.every / factor
-    uncertainty = have.unit / (have.rows - 1) + PERIOD * have.every
-    values: dict[str, Value] = {"tau": taken.tau, "got": got, "k": problem.regime}
-    values |= {"every": problem.every, "spacing": have.every}
-    for name, every, slack in _spacings(problem, taken, factor):
-        if abs(every - have.every) <= uncertainty + slack:
-            return error(name, **values)
-    if problem.regime == 0 or (problem.regime == -1 and not has_sine):
-        return error("regime", **values)
-    if taken.first_term < got < taken.tau:
-        return error("series cut", relative=1 - got / taken.tau, **values)
-    return error("tau", **values)
-
-
-def _spacings(problem: Asked, taken: Start, factor: float) -> Iterator[tuple[str, float, float]]:
-    """Mistakes, the times between rows that they give, and how far these may be off."""
-    yield "period doubled", 2 * taken.tau * factor, 0
-    yield "period halved", taken.tau / 2 * factor, 0
-    if problem.regime != 0:
-        yield "series not begun", taken.first_term * factor, 0
-        yield "regime", taken.on_separatrix().tau * factor, 0
-    yield "seconds", factor, problem.dt  # no whole number of steps
-    yield "every step", problem.dt, 0
-
-
-# The sinusoid.
-
-
-def _in_own_periods(taken: Start, t: Column, findings: list[Finding]) -> Column:
-    """Times at which the right sinusoid has the values of one with the wrong period that the program has found."""
-    got = next((float(finding.values["got"]) for finding in findings if finding.name in OWN_PERIODS), None)
-    if got is None:
-        return t
-    # The last time gave the period, which is therefore as inexact as that.
-    doubt = t.units + np.abs(t.values) * (t.units.max() / np.abs(t.values).max())
-    return Column(t.values * (taken.tau / got), doubt * (taken.tau / got))
-
-
-def _judge_sine(problem: Asked, taken: Start, columns: Columns, t: Column, is_single: bool) -> list[Finding]:
-    """The fourth column, which is there where the pendulum oscillates and only there."""
-    sine = columns.sine
-    if taken != problem.start and (sine is not None) == (taken.regime == -1):
-        return []  # right for the pendulum that the program took for the problem's
-    if problem.regime != -1:
-        return [error("sine too many")] if sine is not None else []
-    if sine is None:
-        return [error("sine missing")]
-    if not np.all(np.isfinite(sine.values)):
-        return [error("sine not numbers", line=int(columns.lines[~np.isfinite(sine.values)][0]))]
-    for hypothesis, times in product(SINUSOIDS, (t, columns.t)):
-        if np.all(sine_fits(hypothesis.column, problem.start, times, sine)):
-            return [error(hypothesis.name)] if hypothesis.name else []
-    if is_single:
-        return []  # as inexact as the states
-    row = int(np.argmax(~sine_fits(right_sine, problem.start, t, sine)))
-    wanted = float(right_sine(problem.start, t.values)[row])
-    return [error("sine unexplained", line=int(columns.lines[row]), value=float(sine.values[row]), wanted=wanted)]
+def _misjudged(problem: Problem, start: Start, columns: Columns, findings: list[Finding]) -> list[Finding]:
+    """A period of another regime, and a sinusoid that is there or not as in that regime, are one mistake."""
+    regime, has_sine = analysis(start)[0], columns.sine is not None
+    periods = ("tau", "tau_off", "series_cut")
+    found = next((each for each in findings if each.name in periods or each.name.startswith(("period_", "series_"))), None)
+    if found is None or has_sine == (regime == -1):
+        return findings
+    told = Finding("regime", {"k": problem.regime, **found.values}, where=found.where)
+    return [told if each is found else each for each in findings]

@@ -1,288 +1,144 @@
-"""Known mistakes, each as a hypothesis: a function that gives what a program with that mistake prints."""
+"""Mistakes that students make, each as a row: in what a program with it differs from the right one.
+
+They stand in the order in which students make them: where several explain a table, the first is told.
+"""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+import math
+from typing import Any
 
 import numpy as np
 
-from pendula._solve import solve
-from pendula.check._problem import (
-    PERIOD,
-    Asked,
-    Motion,
-    Start,
-    closed_form,
-    differences,
-    fits,
-    right,
-    right_sine,
-    with_unsure_times,
-    wrap,
-)
-from pendula.check._table import Column
-
-if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from pendula._solution import Solution
-    from pendula._tables import Method
-    from pendula.check._table import Columns, Floats
-
-DEGREE = np.pi / 180
-
-# Of angle and velocity, in the order in which they are tried.
-UNITS = ((1.0, 1.0), (DEGREE, 1.0), (1.0, DEGREE), (DEGREE, DEGREE))
-
-MOST_STEPS = 1 << 20  # of a run whose every step is kept
-MOST_SINGLE_STEPS = 1 << 16  # each is a call of `solve`, some 20 µs
-SINGLE = float(np.finfo(np.float32).eps)
-TINY = 1e-7  # factor of an angle, after which sin θ is θ
+from pendula.check._methods import Mistake
+from pendula.check._program import DEGREE
 
 
-class Explanation(NamedTuple):
-    """A hypothesis: what the program took for the pendulum, what it computed of that, and when."""
-
-    name: str
-    """In FINDINGS; empty where nothing is wrong."""
-    start: Callable[[Start], Start]
-    motion: Callable[[Start, Asked, Floats], Motion | None]
-    """At given times; None where the hypothesis cannot be tried."""
-    times: Callable[[Start, Asked, Floats], Floats]
-    """Of the states, for the times that were printed."""
+def start(name: str, **changes: Any) -> Mistake:
+    """A mistake in reading the initial state."""
+    return Mistake(name, "start", changes)
 
 
-class Reading(NamedTuple):
-    """The explanation of a table's states, the times that they belong to, and the units of angle and velocity [rad]."""
-
-    explanation: Explanation
-    times: Column
-    angle_unit: float
-    velocity_unit: float
+def equation(name: str, values: dict[str, float | str] | None = None, **changes: Any) -> Mistake:
+    """A mistake in the acceleration."""
+    return Mistake(name, "equation", changes, values or {})
 
 
-def explain(problem: Asked, columns: Columns) -> Reading | None:
-    """The first hypothesis within whose tolerance all states are."""
-    for explanation in EXPLANATIONS:
-        start = explanation.start(problem.start)
-        try:
-            times = Column(explanation.times(start, problem, columns.t.values), columns.t.units)
-            motions = [explanation.motion(start, problem, each) for each in times.nearby()]
-        except ValueError:  # with this mistake there is no legal pendulum
-            continue
-        tried = [motion for motion in motions if motion is not None]
-        if len(tried) < len(motions):
-            continue
-        motion = with_unsure_times(*tried)
-        for angle_unit, velocity_unit in UNITS:
-            if all(map(np.all, fits(motion, columns.theta.scaled(angle_unit), columns.omega.scaled(velocity_unit)))):
-                return Reading(explanation, times, angle_unit, velocity_unit)
-    return None
-
-
-# What the program took for the pendulum.
-
-
-def as_given(start: Start) -> Start:
-    """As it should."""
-    return start
-
-
-def scaled(theta0: float, omega0: float) -> Callable[[Start], Start]:
-    """The initial state times these factors."""
-    return lambda start: start._replace(theta0=start.theta0 * theta0, omega0=start.omega0 * omega0)
-
-
-# When the states are those of.
-
-
-def as_printed(_start: Start, _problem: Asked, t: Floats) -> Floats:
-    """The times that stand in the table."""
-    return t
-
-
-def later(steps: float, rows: float) -> Callable[[Start, Asked, Floats], Floats]:
-    """Times some steps and rows later than those printed."""
-    return lambda _start, problem, t: t + steps * problem.dt + rows * problem.every
-
-
-def in_periods(start: Start, _problem: Asked, t: Floats) -> Floats:
-    """The times printed, if their unit is the characteristic time."""
-    return t * start.tau
-
-
-def of_rows(_start: Start, problem: Asked, t: Floats) -> Floats:
-    """The times that the rows should have."""
-    return np.arange(float(t.size)) * problem.every
-
-
-# What the program computed; `right` is in _problem.py.
-
-
-def nearly(start: Start, problem: Asked, t: Floats) -> Motion:
-    """The right motion, with slack for a period that is not quite right, too."""
-    motion = right(start, problem, t)
-    theta_off, omega_off = differences(start, t * (1 + PERIOD), motion.theta, motion.omega)
-    return Motion(motion.theta, motion.omega, motion.theta_slack + theta_off, motion.omega_slack + omega_off)
-
-
-def upside_down(start: Start, problem: Asked, t: Floats) -> Motion:
-    """With the wrong sign of the acceleration the top is where a pendulum hangs."""
-    motion = right(start._replace(theta0=start.theta0 + np.pi), problem, t)
-    return motion._replace(theta=wrap(motion.theta - np.pi))
-
-
-def straightened(start: Start, _problem: Asked, t: Floats) -> Motion:
-    """Small oscillations, as if sin θ were θ: those of a ten-millionth of the angle, magnified."""
-    theta, omega = closed_form(Start(start.theta0 * TINY, start.omega0 * TINY, start.alpha), t)
-    return Motion(wrap(theta / TINY), omega / TINY)
-
-
-def by_euler(start: Start, problem: Asked, t: Floats) -> Motion | None:
-    """Euler's method at the problem's step."""
-    run = _by_steps(start, _step(start, problem), t, "euler")
-    if run is None:
-        return None
-    return _worse(start, t, np.interp(t, run.t, run.unwrapped), np.interp(t, run.t, run.omega))
-
-
-def by_euler_cromer(start: Start, problem: Asked, t: Floats) -> Motion | None:
-    """Euler's method with the new velocity: its angles are those of Verlet's method with another initial velocity, and its
-    velocities are the differences of angles over the step.
-    """
-    step = _step(start, problem)
-    instant = step / 1000  # so short that acceleration is constant
-    kick = (closed_form(start, instant)[1] - start.omega0) * (step / 2 / instant)
-    run = _by_steps(start._replace(omega0=start.omega0 + float(kick)), step, t, "verlet")
-    if run is None:
-        return None
-    omega = np.append(start.omega0, np.diff(run.unwrapped) / step)
-    return _worse(start, t, np.interp(t, run.t, run.unwrapped), np.interp(t, run.t, omega))
-
-
-def in_single_precision(start: Start, problem: Asked, t: Floats) -> Motion | None:
-    """The right motion, within three times the errors of a Runge-Kutta whose time and state have 24 bits after each step."""
-    steps = round(float(t.max()) / problem.dt)
-    if not 0 < steps <= MOST_SINGLE_STEPS:
-        return None
-    run_t, run_theta, run_omega = _rounded_run(start, np.float32(problem.dt), steps)
-    errors = differences(start, run_t, run_theta, run_omega)
-    slacks = [3 * np.interp(t, run_t, np.maximum.accumulate(error)) + 4 * SINGLE for error in errors]
-    return Motion(*closed_form(start, t), *slacks)
-
-
-def _rounded_run(start: Start, dt: np.float32, steps: int) -> Floats:
-    """[t, theta, omega] of every step."""
-    run = np.empty((3, steps + 1), np.float32)
-    run[:, 0] = 0, start.theta0, start.omega0
-    step = float(dt)
-    for i in range(steps):
-        after = solve(float(run[1, i]), float(run[2, i]), alpha=start.alpha, every=step, until=step, dt=step)
-        run[:, i + 1] = run[0, i] + dt, after.unwrapped[1], after.omega[1]
-    return run.astype(np.float64)
-
-
-def _step(start: Start, problem: Asked) -> float:
-    """The problem's factor of the characteristic time of the pendulum that was taken for it."""
-    return problem.dt * start.tau / problem.tau
-
-
-def _by_steps(start: Start, step: float, t: Floats, method: Method) -> Solution | None:
-    """Every step of a method, to beyond the last of the times."""
-    last = float(t.max())
-    if not 0 < last / step <= MOST_STEPS:
-        return None
-    return solve(start.theta0, start.omega0, alpha=start.alpha, every=step, until=last + 2 * step, dt=step, method=method)
-
-
-def _worse(start: Start, t: Floats, theta: Floats, omega: Floats) -> Motion:
-    """A motion by a worse method, within a twentieth of its errors: programs differ in where their steps end."""
-    slacks = (np.maximum.accumulate(each) / 20 for each in differences(start, t, theta, omega))
-    return Motion(wrap(theta), omega, *slacks)
-
-
-# Where several explain a table, the first is told.
-EXPLANATIONS = (
-    Explanation("", as_given, right, as_printed),
-    Explanation("theta0 in degrees", scaled(1 / DEGREE, 1), right, as_printed),
-    Explanation("omega0 in degrees", scaled(1, 1 / DEGREE), right, as_printed),
-    Explanation("both in degrees", scaled(1 / DEGREE, 1 / DEGREE), right, as_printed),
-    Explanation("theta0 as degrees", scaled(DEGREE, 1), right, as_printed),
-    Explanation("omega0 as degrees", scaled(1, DEGREE), right, as_printed),
-    Explanation("both as degrees", scaled(DEGREE, DEGREE), right, as_printed),
-    Explanation("euler", as_given, by_euler, as_printed),
-    Explanation("euler cromer", as_given, by_euler_cromer, as_printed),
-    Explanation("straightened", as_given, straightened, as_printed),
-    Explanation("other sign of omega0", scaled(1, -1), right, as_printed),
-    Explanation("other sign of theta0", scaled(-1, 1), right, as_printed),
-    Explanation("upside down", as_given, upside_down, as_printed),
-    Explanation("root of alpha", lambda start: start._replace(alpha=start.alpha**0.5), right, as_printed),
-    Explanation("square of alpha", lambda start: start._replace(alpha=start.alpha * start.alpha), right, as_printed),
-    Explanation("alpha of 1", lambda start: start._replace(alpha=1.0), right, as_printed),
-    Explanation("a step late", as_given, right, later(1, 0)),
-    Explanation("a step early", as_given, right, later(-1, 0)),
-    Explanation("a row late", as_given, right, later(0, 1)),
-    Explanation("a row early", as_given, right, later(0, -1)),
-    Explanation("times in periods", as_given, right, in_periods),
-    Explanation("single precision", as_given, in_single_precision, as_printed),
-    Explanation("times", as_given, nearly, of_rows),
+EQUATIONS = (
+    *(equation("length_in_force", pull=g) for g in (9.8, 9.81, 9.80665, 10.0)),
+    equation("linear", force="linear"),
+    equation("upside_down", sign=-1.0),
+    equation("cosine", force="cosine"),
+    equation("sine_cubic", force="cubic"),
+    equation("sine_quintic", force="quintic"),
+    *(equation("sine_of_degrees", {"factor": factor}, scale=factor) for factor in (1 / DEGREE, DEGREE)),
+    *(equation("damping", {"beta": beta}, beta=beta) for beta in (0.1, 0.2, 0.5)),
+    *(
+        equation("stage_without_alpha", {"stage": ", ".join(stages)}, bare=stages)._replace(is_rare=True)
+        for stages in ("A", "B", "C", "D", "BCD")
+    ),
+    equation("acceleration_printed", shows="acceleration"),  # of the sine; so it is no pair with another equation
 )
 
 
-# The sinusoid (3.4), of the pendulum that was solved, at the times that were printed; `right_sine` is in _problem.py.
+# Of what was read.
+
+BOTH = ("theta0", "omega0")
+SINGLE_PI = float(np.float32(math.pi)) / math.pi
 
 
-class Sinusoid(NamedTuple):
-    """A hypothesis."""
-
-    name: str
-    """In FINDINGS; empty where nothing is wrong."""
-    column: Callable[[Start, Floats], Floats]
-
-
-def other_sign(start: Start, t: Floats) -> Floats:
-    """The phase as if the velocity had the other sign: that of the arcsine alone, where the velocity is negative."""
-    return right_sine(start._replace(omega0=-start.omega0), t)
+def conversions(name: str, radians: float, degrees: float) -> tuple[Mistake, ...]:
+    """A wrong factor of the angle, of the velocity, or of both, where they are given in radians and in degrees."""
+    factors = (radians, degrees)
+    return (
+        *(start(f"{each}_{name}", **{each: factors}) for each in BOTH),
+        start(f"both_{name}", theta0=factors, omega0=factors),
+    )
 
 
-def no_phase(start: Start, t: Floats) -> Floats:
-    """The sinusoid of a pendulum of the same amplitude that starts at the bottom."""
-    _, omega = closed_form(Start(start.theta_max, 0.0, start.alpha), -start.tau / 4)
-    return right_sine(Start(0.0, float(omega), start.alpha), t)
+STARTS = (
+    *conversions("in_degrees", 1, 1 / DEGREE),
+    *conversions("as_degrees", DEGREE, 1),
+    *conversions("degrees_inverted", 1, DEGREE**-2),
+    start("omega0_is_root_alpha", start="root"),
+    start("start_exchanged", start="exchanged"),
+    start("omega0_forgotten", omega0=(0, 0)),
+    start("theta0_forgotten", theta0=(0, 0)),
+    start("omega0_sign", omega0=(-1, -1)),
+    start("theta0_sign", theta0=(-1, -1)),
+    start("theta0_integer", whole="theta0"),
+    start("omega0_integer", whole="omega0"),
+    *(
+        Mistake("rough_pi", "start", {"theta0": (1, pi / math.pi), "omega0": (1, pi / math.pi), "pi": used}, {"pi": pi})
+        for pi in (3.14, 3.1415, 3.1416, 3.14159)
+        for used in (pi, math.pi)
+    ),
+    *(
+        Mistake("single_constants", "start", {"theta0": (1, SINGLE_PI), "omega0": (1, SINGLE_PI), "pi": used})
+        for used in (SINGLE_PI * math.pi, math.pi)
+    ),
+    start("single_constants", start="single"),
+)
 
 
-def quarter_turn(start: Start, t: Floats) -> Floats:
-    """The cosine for the sine."""
-    return right_sine(start, t + start.tau / 4)
+def stiffness(name: str, factor: float, power: float, **values: float) -> Mistake:
+    """Another number in the place of α."""
+    return Mistake(name, "alpha", {"alpha": (factor, power)}, values)
 
 
-def initial_amplitude(start: Start, t: Floats) -> Floats:
-    """θ0 for θM."""
-    return right_sine(start, t) * (start.theta0 / start.theta_max if start.theta_max != 0 else 1.0)
+ALPHAS = (
+    Mistake("alpha_integer", "alpha", {"whole": "alpha"}),
+    stiffness("alpha_root", 1, 0.5),
+    stiffness("alpha_square", 1, 2),
+    stiffness("alpha_inverse", 1, -1),
+    stiffness("alpha_unused", 1, 0),
+    *(stiffness("alpha_gravity", g, 0, alpha=g) for g in (9.8, 9.81, 9.80665, 10.0)),
+    *(stiffness("alpha_of_length", g, -1, g=g) for g in (9.8, 9.81, 9.80665, 10.0)),
+    *(stiffness("alpha_product", g * g, -1, g=g) for g in (9.8, 9.81, 9.80665, 10.0)),
+)
 
 
-def small_period(start: Start, t: Floats) -> Floats:
-    """The period of small oscillations."""
-    return right_sine(start, t * (start.tau / Start(0.0, 0.0, start.alpha).tau))
+def late(name: str, **changes: Any) -> Mistake:
+    """States of other times than those printed."""
+    return Mistake(name, "rows", changes)
 
 
-def double_period(start: Start, t: Floats) -> Floats:
-    """Twice the period."""
-    return right_sine(start, t / 2)
+ROWS = (
+    late("step_late", steps_late=1),
+    late("step_early_but_first", steps_late=-1),  # there is no step before the first
+    late("step_late_but_first", steps_late=1, first_is_right=True),
+    late("step_is_interval", is_coarse=True),
+    late("time_twice", pace=0.5),
+    late("step_missing", more=-1),
+    late("step_more", more=1),
+    late("row_late", rows_late=1),
+    late("row_early", rows_late=-1),
+    late("omega_behind", omega_late=-1),
+    late("omega_ahead", omega_late=1),
+    late("omega_ahead", omega_late=1, first_is_right=True),
+    Mistake("omega_absolute", "column", {"shows": "speed"}, is_rare=True),
+    Mistake("omega_difference", "column", {"shows": "step difference"}, {"over": "Δt"}, is_rare=True),
+    Mistake("omega_difference", "column", {"shows": "row difference"}, {"over": "t_cout"}, is_rare=True),
+    *(
+        Mistake("velocity_along", "column", {"shows": "along", "gravity": g}, {"g": g}, is_rare=True)
+        for g in (9.8, 9.81, 9.80665, 10.0)
+    ),
+    late("theta_behind", theta_late=-1)._replace(is_rare=True),
+    late("theta_ahead", theta_late=1)._replace(is_rare=True),
+    late("theta_ahead", theta_late=1, first_is_right=True)._replace(is_rare=True),
+)
 
 
-def angle(start: Start, t: Floats) -> Floats:
-    """The pendulum's own angle."""
-    return closed_form(start, t)[0]
+def printed(name: str, **changes: Any) -> Mistake:
+    """The right state printed wrongly."""
+    return Mistake(name, "printing", changes)
 
 
-SINUSOIDS = (
-    Sinusoid("", right_sine),
-    Sinusoid("sine other sign", other_sign),
-    Sinusoid("sine no phase", no_phase),
-    Sinusoid("sine quarter turn", quarter_turn),
-    Sinusoid("sine initial amplitude", initial_amplitude),
-    Sinusoid("sine small period", small_period),
-    Sinusoid("sine double period", double_period),
-    Sinusoid("sine is the angle", angle),
+PRINTINGS = (
+    printed("angle_in_degrees", theta_factor=1 / DEGREE),
+    printed("velocity_in_degrees", omega_factor=1 / DEGREE),
+    printed("omega_negated", omega_factor=-1.0),
+    printed("theta_negated", theta_factor=-1.0),
+    printed("theta_absolute", form="absolute"),
+    printed("omega_normalised", form="normalised"),
 )

@@ -11,7 +11,19 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from pendula._command import BAD_DATA, BAD_USAGE, DONE, NOT_WRITTEN, Command, Option, RefusedError, Text, run, solve
+from pendula._command import (
+    BAD_DATA,
+    BAD_USAGE,
+    DONE,
+    NO_MATPLOTLIB,
+    NOT_WRITTEN,
+    Command,
+    Option,
+    RefusedError,
+    Text,
+    run,
+    solve,
+)
 from pendula.plot._figures import animate, phase_portrait, time_series
 from pendula.plot._style import new_figure
 
@@ -64,10 +76,6 @@ TEXTS: dict[str, Text] = {
     "no display": (
         "there is no display to open a window on; name a file with --output",
         "no hay pantalla en la que abrir una ventana; da el nombre de un fichero con --output",
-    ),
-    "no matplotlib": (
-        "matplotlib is missing; install it with: pip install 'pendula[plot]'",
-        "falta matplotlib; instálalo con: pip install 'pendula[plot]'",
     ),
     "one problem": (
         "an animation shows one problem of two rows or more, got {0} of {1}",
@@ -164,7 +172,7 @@ def _require_matplotlib(has_window: bool) -> None:
     try:
         from matplotlib import pyplot
     except ImportError:
-        raise RefusedError(BAD_USAGE, TEXTS["no matplotlib"]) from None
+        raise RefusedError(BAD_USAGE, NO_MATPLOTLIB) from None
     if not has_window:
         pyplot.switch_backend("agg")
 

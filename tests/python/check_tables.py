@@ -167,7 +167,9 @@ def doubts(known: Truth) -> np.ndarray:
     omega_doubt = known.alpha * late + GROWTH * np.abs(omega).max()
     # An arccosine (3.2) has a relative error δ by the last bit of its cosine; an arcsine near π/2 has √(2δ).
     theta_max = abs(known.theta_max)
-    delta = min(1.0, 4 * EPSILON / max(theta_max * np.sin(theta_max), EPSILON))
+    delta = 4 * EPSILON / max(theta_max * np.sin(theta_max), EPSILON)
+    # An angle of many turns is wrapped by as many subtractions.
+    delta = min(1.0, delta + 4 * EPSILON * abs(known.theta0) / max(theta_max, EPSILON))
     sine_doubt = theta_max * (2 * np.pi * late / known.tau + delta + np.sqrt(2 * delta))
     return np.array([late, theta_doubt, omega_doubt, sine_doubt][: len(known.columns)])
 

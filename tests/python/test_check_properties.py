@@ -44,6 +44,8 @@ def test_a_table_with_a_wrong_cell_is_never_right(chosen, digits, place, column,
     unit = 10.0 ** (np.floor(np.log10(size * (1 + 1e-4))) + 1 - digits)
     # 3 units beside 3 times what is nobody's fault.
     table[column][row] = value + units * unit + np.sign(units) * 3 * (doubts(known) + errors_of_method(known))[column][row]
+    # A number of the first row with fewer digits may be the state as it was typed.
+    assume(row > 0 or f"{table[column][row]:.{digits - 1}e}".partition("e")[0][-1] != "0")
     assert not told(chosen.text(), printed(table, digits)).is_right
 
 

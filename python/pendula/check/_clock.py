@@ -110,7 +110,7 @@ def numbered(problem: Problem, grid: Grid, dt: float) -> Clock:
     return Clock(whole.astype(np.int64), dt, KNOWN, np.zeros(whole.size))
 
 
-def is_single(t: Column, clock: Clock) -> bool:
+def has_single_sums(t: Column, clock: Clock) -> bool:
     """Whether the times are no farther off than single precision makes sums of so many steps."""
     late = np.finfo(np.float32).eps * np.abs(clock.t) * (1 + clock.steps / 4)
     return bool(np.all(np.abs(t.values - clock.t) <= t.units + np.minimum(late, clock.dt)))

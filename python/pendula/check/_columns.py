@@ -182,6 +182,10 @@ class Column(NamedTuple):
         """The values, and those one unit of the last digit below and above."""
         return self.values, self.values - self.units, self.values + self.units
 
+    def at(self, rows: slice) -> Column:
+        """The column in some rows."""
+        return Column(self.values[rows], self.units[rows])
+
     def scaled(self, unit: float) -> Column:
         """The column in another unit."""
         return Column(self.values * unit, self.units * unit)

@@ -253,7 +253,7 @@ def _first_rows(candidates: Sequence[Candidate], rows: int) -> Prediction:
     clocks = [each.run.clock.first(rows) for each in candidates]
     motion = replay([each.program for each in candidates], clocks, [each.reading.start for each in candidates])
     alpha = np.array([[each.program.sign * each.reading.start.alpha] for each in candidates])
-    unsure = np.stack([clock.unsure + 2 * clock.doubt * clock.t for each, clock in zip(candidates, clocks, strict=True)])
+    unsure = np.stack([clock.unsure + 2 * clock.doubt * clock.t for clock in clocks])
     with np.errstate(invalid="ignore", over="ignore"):
         late = (np.abs(motion.omega) * unsure, np.abs(alpha) * unsure)
         floors = [ROUGHLY * (1 + np.abs(each)) for each in motion]

@@ -122,7 +122,7 @@ def _in_own_time(problem: Problem, found: Explanation, columns: Columns, places:
 def _first_part(timing: Timing, columns: Columns) -> tuple[Timing, Columns]:
     """The first rows, which tell a term's numbers in few steps."""
     rows = max(FEWEST_ROWS, int(np.searchsorted(timing.clock.steps, MOST_FITTED)))
-    t, theta, omega = (each._replace(values=each.values[:rows], units=each.units[:rows]) for each in columns[:3])
+    t, theta, omega = (each.at(slice(rows)) for each in columns[:3])
     return timing._replace(clock=timing.clock.first(rows)), columns._replace(t=t, theta=theta, omega=omega)
 
 

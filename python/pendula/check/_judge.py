@@ -12,7 +12,7 @@ from pendula.check._predict import AS_ASKED
 from pendula.check._program import RIGHT, Problem, Start, analysis, taken
 from pendula.check._sinusoid import UNKNOWN, of_sinusoid
 from pendula.check._states import explained, told
-from pendula.check._table import STATE, WORDS, Column, Columns, columns_at, placements, roles_of
+from pendula.check._table import STATE, WORDS, Columns, columns_at, placements, roles_of
 from pendula.check._view import Deviation, View, deviations, first_wrong, has_same_states, view_of
 from pendula.check._wrapping import of_wrapping
 
@@ -115,11 +115,9 @@ def _without_first(table: Table) -> Table:
 
 
 def _without_first_row(columns: Columns) -> Columns:
-    def rest(column: Column) -> Column:
-        return Column(column.values[1:], column.units[1:])
-
-    sine = None if columns.sine is None else rest(columns.sine)
-    t, theta, omega = map(rest, columns[:3])
+    rest = slice(1, None)
+    sine = None if columns.sine is None else columns.sine.at(rest)
+    t, theta, omega = (each.at(rest) for each in columns[:3])
     return columns._replace(t=t, theta=theta, omega=omega, sine=sine, lines=columns.lines[1:])
 
 
@@ -216,5 +214,5 @@ def _misjudged(problem: Problem, start: Start, columns: Columns, findings: list[
     found = next((each for each in findings if each.name in periods or each.name.startswith(("period_", "series_"))), None)
     if found is None or has_sine == (regime == -1):
         return findings
-    told = Finding("regime", {"k": problem.regime, **found.values}, where=found.where)
-    return [told if each is found else each for each in findings]
+    misjudged = Finding("regime", {"k": problem.regime, **found.values}, where=found.where)
+    return [misjudged if each is found else each for each in findings]

@@ -20,6 +20,7 @@ from pendula.check._stepper import (
     SEEING_SUM,
     SEEING_THEMSELVES,
     SIMPSON,
+    STAGES,
     THETA_FIRST_OWN,
     WITHOUT_D,
     ZEROS,
@@ -61,7 +62,6 @@ def method(name: str, made: Stepper, **values: str) -> Mistake:
     return Mistake(name, "stepper", {"stepper": made}, values)
 
 
-STAGES = "ABCD"
 LINES = ("θ, ω", "θ", "ω")
 
 

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from pendula.check._methods import Mistake
-from pendula.check._program import DEGREE
+from pendula.check._program import DEGREE, GRAVITIES, ROUGH_PIS
 
 
 def start(name: str, **changes: Any) -> Mistake:
@@ -25,7 +25,7 @@ def equation(name: str, values: dict[str, float | str] | None = None, **changes:
 
 
 EQUATIONS = (
-    *(equation("length_in_force", pull=g) for g in (9.8, 9.81, 9.80665, 10.0)),
+    *(equation("length_in_force", pull=g) for g in GRAVITIES),
     equation("linear", force="linear"),
     equation("upside_down", sign=-1.0),
     equation("cosine", force="cosine"),
@@ -70,7 +70,7 @@ STARTS = (
     start("omega0_integer", whole="omega0"),
     *(
         Mistake("rough_pi", "start", {"theta0": (1, pi / math.pi), "omega0": (1, pi / math.pi), "pi": used}, {"pi": pi})
-        for pi in (3.14, 3.1415, 3.1416, 3.14159)
+        for pi in ROUGH_PIS
         for used in (pi, math.pi)
     ),
     *(
@@ -92,9 +92,9 @@ ALPHAS = (
     stiffness("alpha_square", 1, 2),
     stiffness("alpha_inverse", 1, -1),
     stiffness("alpha_unused", 1, 0),
-    *(stiffness("alpha_gravity", g, 0, alpha=g) for g in (9.8, 9.81, 9.80665, 10.0)),
-    *(stiffness("alpha_of_length", g, -1, g=g) for g in (9.8, 9.81, 9.80665, 10.0)),
-    *(stiffness("alpha_product", g * g, -1, g=g) for g in (9.8, 9.81, 9.80665, 10.0)),
+    *(stiffness("alpha_gravity", g, 0, alpha=g) for g in GRAVITIES),
+    *(stiffness("alpha_of_length", g, -1, g=g) for g in GRAVITIES),
+    *(stiffness("alpha_product", g * g, -1, g=g) for g in GRAVITIES),
 )
 
 
@@ -119,10 +119,7 @@ ROWS = (
     Mistake("omega_absolute", "column", {"shows": "speed"}, is_rare=True),
     Mistake("omega_difference", "column", {"shows": "step difference"}, {"over": "Δt"}, is_rare=True),
     Mistake("omega_difference", "column", {"shows": "row difference"}, {"over": "t_cout"}, is_rare=True),
-    *(
-        Mistake("velocity_along", "column", {"shows": "along", "gravity": g}, {"g": g}, is_rare=True)
-        for g in (9.8, 9.81, 9.80665, 10.0)
-    ),
+    *(Mistake("velocity_along", "column", {"shows": "along", "gravity": g}, {"g": g}, is_rare=True) for g in GRAVITIES),
     late("theta_behind", theta_late=-1)._replace(is_rare=True),
     late("theta_ahead", theta_late=1)._replace(is_rare=True),
     late("theta_ahead", theta_late=1, first_is_right=True)._replace(is_rare=True),

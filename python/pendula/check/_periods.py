@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from pendula import _core
-from pendula.check._program import Start, analysis
+from pendula.check._program import ROUGH_PIS, Start, analysis
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
@@ -66,13 +66,16 @@ def _of_a(a: Callable[[Start], float]) -> Callable[[Start], float]:
     return tau
 
 
+def _sum(r: float) -> float:
+    """1 + a1 + a2 + … (3.6). There is no sum where r is not below 1."""
+    return analysis(Start(amplitude_of(r), 0.0, 1.0))[2] / (2 * math.pi) if r < 1 else math.nan
+
+
 def _of_r(r: Callable[[Start], float]) -> Callable[[Start], float]:
-    """The period (3.6) of a rotation with another r. The series has no sum where that is not below 1."""
+    """The period (3.6) of a rotation with another r."""
 
     def tau(start: Start) -> float:
-        used = r(start)
-        sums = analysis(Start(amplitude_of(used), 0.0, 1.0))[2] / (2 * math.pi)
-        return rotation_period(start) * sums if used < 1 else math.nan
+        return rotation_period(start) * _sum(r(start))
 
     return tau
 
@@ -109,15 +112,18 @@ def _of_limit(limit: Callable[[Start], float]) -> Callable[[Start], float]:
 def partial_sums(start: Start, terms: int = 1 << 14) -> np.ndarray:
     """T0 times the sums of the series (3.6) of one term, two, and so on [s]."""
     n = np.arange(1.0, terms)
-    factors = ((2 * n - 1) / (2 * n) * _modulus(start)) ** 2
-    return first_term(start) * np.append(1.0, 1 + np.cumsum(np.cumprod(factors)))
+    return first_term(start) * np.append(1.0, 1 + _sums((2 * n - 1) / (2 * n) * _modulus(start)))
 
 
-def _sum_of(square: float, more: float = 0.0) -> float:
-    """The sum in (3.6) with this in place of r², and more in the denominators 2n."""
-    n = np.arange(1.0, 1 << 14)
-    terms = np.cumprod(((2 * n - 1) / (2 * n + more)) ** 2 * square)
-    return 1 + float(np.sum(terms)) if terms[-1] < 1e-12 else math.nan
+def _sums(factors: np.ndarray) -> np.ndarray:
+    """a1, a1 + a2, and so on (3.6), where each term is the one before times the square of its factor (3.7)."""
+    return np.cumsum(np.cumprod(factors**2))
+
+
+def _sum_with_odd(r: float, terms: int = 1 << 14) -> float:
+    """The sum in (3.6) with 2n + 1 in place of 2n."""
+    n = np.arange(1.0, terms)
+    return 1 + float(_sums((2 * n - 1) / (2 * n + 1) * r)[-1])
 
 
 def periods_on_separatrix(start: Start) -> np.ndarray:
@@ -150,11 +156,8 @@ class Period(NamedTuple):
     values: dict[str, Value]
     regimes: tuple[int, ...]
     tau: Callable[[Start], float]
-
-    @property
-    def is_sum(self) -> bool:
-        """Whether it is a sum of other terms, which a program may cut, too."""
-        return self.name == "series_not_squared" or "in place of" in str(self.values.get("formula"))
+    is_sum: bool = False
+    """Whether it is a sum of other terms, which a program may cut, too."""
 
 
 def row(name: str, regimes: tuple[int, ...], tau: Callable[[Start], float], **values: Value) -> Period:
@@ -190,15 +193,20 @@ OTHER_SERIES: tuple[tuple[str, tuple[int, ...], Callable[[Start], float]], ...] 
     ("T0(1 + θ0²/16)", OSCILLATION, lambda start: first_term(start) * (1 + float(_core.wrap(start.theta0)) ** 2 / 16)),
     ("T0(2 + a1 + a2 + …)", BOTH, lambda start: first_term(start) + analysis(start)[2]),
     ("T0(1 + r² + r⁴ + …)", BOTH, lambda start: first_term(start) / (1 - _modulus(start) ** 2)),
-    ("T0(1 + a1 + a2 + …) with r in place of r²", BOTH, lambda start: first_term(start) * _sum_of(_modulus(start))),
-    ("T0(1 + a1 + a2 + …) with r⁴ in place of r²", BOTH, lambda start: first_term(start) * _sum_of(_modulus(start) ** 4)),
-    (
-        "T0(1 + a1 + a2 + …) with 2n + 1 in place of 2n",
-        BOTH,
-        lambda start: first_term(start) * _sum_of(_modulus(start) ** 2, 1),
-    ),
     ("√(2π/α)(1 + a1 + a2 + …)", OSCILLATION, lambda start: analysis(start)[2] / math.sqrt(2 * math.pi)),
 )
+# Sums of other terms, as factors of T0.
+OTHER_SUMS: tuple[tuple[str, Callable[[float], float]], ...] = (
+    ("T0(1 + a1 + a2 + …) with r in place of r²", lambda r: _sum(math.sqrt(r))),
+    ("T0(1 + a1 + a2 + …) with r⁴ in place of r²", lambda r: _sum(r * r)),
+    ("T0(1 + a1 + a2 + …) with 2n + 1 in place of 2n", _sum_with_odd),
+)
+
+
+def _of_sum(sum_of: Callable[[float], float]) -> Callable[[Start], float]:
+    return lambda start: first_term(start) * sum_of(_modulus(start))
+
+
 MISTAKES = (
     row("period_first_term", BOTH, lambda start: first_term(start)),
     row("period_small", BOTH, lambda start: small_period(start)),
@@ -215,13 +223,14 @@ MISTAKES = (
     row("period_modulus", ROTATION, _of_r(lambda start: math.sqrt(start.alpha) / _at_bottom(start)), r="√α/(2A)"),
     row("series_without_first", BOTH, lambda start: analysis(start)[2] - first_term(start)),
     *(row("series_other", regimes, tau, formula=formula) for formula, regimes, tau in OTHER_SERIES),
-    row("series_not_squared", BOTH, lambda start: first_term(start) / math.sqrt(1 - _modulus(start))),
+    *(row("series_other", BOTH, _of_sum(sum_of), formula=formula)._replace(is_sum=True) for formula, sum_of in OTHER_SUMS),
+    row("series_not_squared", BOTH, lambda start: first_term(start) / math.sqrt(1 - _modulus(start)))._replace(is_sum=True),
     row("period_alpha", (-1, 0, 1), lambda start: analysis(start)[2] * math.sqrt(start.alpha), factor="√α"),
     row("period_alpha", (-1, 0, 1), lambda start: analysis(start)[2] / math.sqrt(start.alpha), factor="1/√α"),
     row("period_alpha", (-1, 0, 1), lambda start: analysis(start)[2] * start.alpha, factor="α"),
     row("period_alpha", (-1, 0, 1), lambda start: analysis(start)[2] / start.alpha, factor="1/α"),
     row("logarithm_base_10", SEPARATRIX, lambda start: analysis(start)[2] / math.log(10)),
-    *(row("rough_pi", SEPARATRIX, _of_pi(pi), pi=pi) for pi in (3.14, 3.1415, 3.1416, 3.14159)),
+    *(row("rough_pi", SEPARATRIX, _of_pi(pi), pi=pi) for pi in ROUGH_PIS),
     row("limit_099", SEPARATRIX, lambda start: limit_time(start, 0.99)),
     row("limit_not_0999", SEPARATRIX, lambda start: limit_time(start, 1.0)),
     row("regime", BOTH, lambda start: limit_time(start, 0.999)),

@@ -13,7 +13,7 @@ import numpy as np
 from pendula import _core
 from pendula._closed_form import analyze, exact
 from pendula._command import BAD_USAGE, RefusedError, Text, printed
-from pendula.check._stepper import RUNGE_KUTTA, Stepper
+from pendula.check._stepper import RUNGE_KUTTA, STAGES, Stepper
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -24,6 +24,8 @@ if TYPE_CHECKING:
     Integers: TypeAlias = npt.NDArray[np.int64]
 
 DEGREE = math.pi / 180
+ROUGH_PIS = (3.14, 3.1415, 3.1416, 3.14159)
+GRAVITIES = (9.8, 9.81, 9.80665, 10.0)  # m/s²
 MOST_CHARACTERS = 1 << 20  # of a file with problems
 
 TOO_LONG: Text = ("the file with the problems has more than {0} bytes", "el fichero con los problemas tiene más de {0} bytes")
@@ -204,11 +206,14 @@ class Motion(NamedTuple):
 
 def paced(program: Program, clock: Clock) -> Clock:
     """The steps that a program takes where the right one takes those of the clock."""
-    per_row = max(1, int(np.median(np.diff(clock.steps)))) if clock.steps.size > 1 else 1
-    if program.is_coarse:
-        return clock._replace(steps=clock.steps // per_row, dt=clock.dt * per_row)
-    if program.more:
-        return clock._replace(steps=clock.steps + clock.steps // per_row * program.more)
+    if program.is_coarse or program.more:
+        per_row = max(1, int(np.median(np.diff(clock.steps)))) if clock.steps.size > 1 else 1
+        rows = clock.steps // per_row
+        return (
+            clock._replace(steps=rows, dt=clock.dt * per_row)
+            if program.is_coarse
+            else clock._replace(steps=clock.steps + rows * program.more)
+        )
     if program.pace != 1:
         return clock._replace(steps=np.round(clock.steps * program.pace).astype(np.int64))
     return clock
@@ -273,7 +278,7 @@ def _numbers(program: Program, dt: float, alpha: float) -> tuple[Floats, Floats]
     stages, sums = program.stepper.numbers(dt)
     if not program.bare:
         return stages, sums
-    size, bare = program.stepper.theta.size, ["ABCD".index(letter) for letter in program.bare]
+    size, bare = program.stepper.theta.size, [STAGES.index(letter) for letter in program.bare]
     less = np.ones(size)
     less[bare] /= alpha
     angle, own_angle, own_velocity, velocity = np.split(stages[:, 3:], 4, axis=1)

@@ -196,7 +196,7 @@ def _prints(mistakes: tuple[Wrong, ...], start: Start, right: Sinusoid, t: Colum
     for mistake in mistakes:
         wrong = mistake.change(wrong)
     size = max(1.0, abs(wrong.amplitude) / (abs(right.amplitude) or 1.0)) * max(1.0, abs(wrong.rate / right.rate))
-    first_t, first_sine = (Column(each.values[:FIRST_ROWS], each.units[:FIRST_ROWS]) for each in (t, sine))
+    first_t, first_sine = (each.at(slice(FIRST_ROWS)) for each in (t, sine))
     return bool(
         np.all(fits(wrong.at, start, first_t, first_sine, size=size)) and np.all(fits(wrong.at, start, t, sine, size=size))
     )

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from pendula import _core
-from pendula.check._clock import is_single
+from pendula.check._clock import has_single_sums
 from pendula.check._explain import Explanation, Search
 from pendula.check._finding import Finding, Where, error
 from pendula.check._fit import fitted
@@ -38,27 +38,27 @@ def explained(problem: Problem, view: View, search: Search) -> list[Explanation]
         return Finding("nothing_moves", {}, where=where, alternatives=(error("integer_division"),))
     are_only_times = not any(wrong.any() for wrong in view.wrong[:2])
     found = [] if are_only_times else search.explanations(1)
-    if any(mistake.is_rare for each in found[:1] for mistake in each.candidate.mistakes) and _is_single(problem, view):
+    if found and any(mistake.is_rare for mistake in found[0].candidate.mistakes) and _is_in_single(problem, view):
         return [found[0]._replace(also=(error("single_precision"),)), *found[1:]]
     if found:
         return found
-    if are_only_times and not view.are_cells and is_single(columns.t, view.timing.clock):
+    if are_only_times and not view.are_cells and has_single_sums(columns.t, view.timing.clock):
         return error("time_single")
     if view.are_cells:
         return Finding("wrong_cell", {"count": sum(int(each.sum()) for each in view.wrong)}, where=where)
     found = fitted(problem, view.timing, columns, view.places) or search.explanations(2)
     if found:
         return found
-    if _is_single(problem, view):
+    if _is_in_single(problem, view):
         return Finding("single_precision", {}, where=where, alternatives=(error("single_constants"),))
     found = search.explanations(3)
     if found:
         return found
-    if _on_a_circle(columns) and any(wrong[0] for wrong in view.wrong[:2]):
-        return error("cartesian")
-    elsewhere = _other_start(problem, view)
-    if elsewhere:
-        return elsewhere
+    if any(wrong[0] for wrong in view.wrong[:2]):
+        if _on_a_circle(columns):
+            return error("cartesian")
+        if elsewhere := _other_start(problem, view):
+            return elsewhere
     return Finding("unexplained", _symptoms(problem, view), where=where)
 
 
@@ -66,7 +66,7 @@ def _other_start(problem: Problem, view: View) -> Finding | None:
     """A table that begins elsewhere, and follows from there."""
     columns, clock = view.columns, view.timing.clock
     theta, omega = float(columns.theta.values[0]), float(columns.omega.values[0])
-    if clock.steps.size < FEWEST_ROWS or not any(wrong[0] for wrong in view.wrong[:2]):
+    if clock.steps.size < FEWEST_ROWS:
         return None
     theta0, omega0, alpha = taken(RIGHT, problem)
     rate = float(np.sqrt(alpha))
@@ -129,7 +129,7 @@ def _symptoms(problem: Problem, view: View) -> dict[str, float | int | str]:
     return {"order": int(order) if 1 <= order <= 3 else "?", "energy": how}
 
 
-def _is_single(problem: Problem, view: View) -> bool:
+def _is_in_single(problem: Problem, view: View) -> bool:
     """Whether single precision explains the states."""
     found = timings(problem, taken(RIGHT, problem), view.columns.t, view.places)
     return any(_in_single_precision(problem, timing, view.columns) for timing in found)

@@ -88,6 +88,7 @@ def _square(rows: Rows, stages: int) -> Floats:
     return np.array(filled)
 
 
+STAGES = "ABCD"
 CLASSICAL = ((), (0.5,), (0, 0.5), (0, 0, 1))
 SIMPSON = (1 / 6, 1 / 3, 1 / 3, 1 / 6)
 RUNGE_KUTTA = stepper(CLASSICAL, SIMPSON)

@@ -15,8 +15,8 @@ from pendula.check._clock import (
     Grid,
     clock_of,
     grid_of,
+    has_single_sums,
     is_on_time,
-    is_single,
     latest,
     numbered,
     one_of,
@@ -24,7 +24,7 @@ from pendula.check._clock import (
 )
 from pendula.check._finding import Finding, error, remark
 from pendula.check._periods import Period, first_term, partial_sums, periods_on_separatrix, wrong_periods
-from pendula.check._program import Clock, Problem, Start, analysis
+from pendula.check._program import ROUGH_PIS, Clock, Problem, Start, analysis
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -33,9 +33,9 @@ if TYPE_CHECKING:
     from pendula.check._table import Column
 
 MOST_DOUBT = 1e-5  # relative: of a period that is known by the times printed alone
-ROUGH = 1e-4  # relative: how near a wrong period must be to that of a formula
-FAR = 1e-3  # relative: a sum nearer to τ may be the right one, cut
-ROUGH_PIS = (3.14, 3.1415, 3.1416)
+NEAREST = 1e-4  # relative: how near a wrong period must be to that of a formula
+APART = 1e-3  # relative: a sum nearer to τ may be the right one, cut
+FEWEST_STEPS = 4  # between rows; a step more or less of fewer may as well be another period
 LARGEST_RATIO = 12  # of whole numbers that a period may be off by, from zeros that were counted
 
 
@@ -79,7 +79,7 @@ def timings(problem: Problem, start: Start, t: Column, places: Floats, pi: float
         for timing in _timing(problem, t, grid, right, ()):
             yield timing._replace(tau=timing.tau * (math.pi / pi))
         clock = numbered(problem, grid, factor_dt * right)
-        if not is_on_time(t, grid, factor_every * right) and is_single(t, clock):
+        if not is_on_time(t, grid, factor_every * right) and has_single_sums(t, clock):
             yield Timing(clock, tau, (error("time_single"),))
         return
     of_run = problem.every * problem.until / problem.tau
@@ -88,19 +88,9 @@ def timings(problem: Problem, start: Start, t: Column, places: Floats, pi: float
         spacing = {"every": problem.every, "spacing": grid.every}
         yield Timing(clock_of(t, grid, problem.dt, of_run, KNOWN), tau, (error("interval_of_run", **spacing),))
         return
-    known = [
-        (mistake, own) for mistake, own in wrong_periods(start) if _is_spacing(grid, t, factor_every * own, factor_dt * own)
-    ]
-    known = known or [
-        (mistake, own)
-        for mistake, own in wrong_periods(start)
-        if mistake.is_sum and abs(own / tau - 1) > FAR and abs(grid.every / (factor_every * own) - 1) <= ROUGH
-    ]
-    if known:
-        said = tuple(_said(mistake, problem, tau, own) for mistake, own in known)
-        others = (
-            tuple({each.name: each for each in said[1:] if each.name != said[0].name}.values())[:2] if len(said) > 1 else ()
-        )
+    if known := _known(problem, start, t, grid):
+        said = [_said(mistake, problem, tau, own) for mistake, own in known]
+        others = tuple({each.name: each for each in said if each.name != said[0].name}.values())[:2]
         yield from _timing(problem, t, grid, known[0][1], (said[0]._replace(alternatives=others),))
     elif counted := _miscounted(problem, tau, t, grid):
         yield counted
@@ -108,11 +98,19 @@ def timings(problem: Problem, start: Start, t: Column, places: Floats, pi: float
     else:
         yield from _other_spacings(problem, start, t, grid)
     clock = numbered(problem, grid, factor_dt * tau)
-    name = "time_single" if is_single(t, clock) else "times_off"
+    name = "time_single" if has_single_sums(t, clock) else "times_off"
     yield Timing(clock, tau, (error(name),))
 
 
-FEWEST_STEPS = 4  # between rows; a step more or less of fewer may as well be another period
+def _known(problem: Problem, start: Start, t: Column, grid: Grid) -> list[tuple[Period, float]]:
+    """The mistakes that give the period of the rows [s], or sums that do where they are cut."""
+    tau, periods = analysis(start)[2], list(wrong_periods(start))
+    factor_every, factor_dt = problem.every / problem.tau, problem.dt / problem.tau
+    return [each for each in periods if _is_spacing(grid, t, factor_every * each[1], factor_dt * each[1])] or [
+        (mistake, own)
+        for mistake, own in periods
+        if mistake.is_sum and abs(own / tau - 1) > APART and abs(grid.every / (factor_every * own) - 1) <= NEAREST
+    ]
 
 
 def _miscounted(problem: Problem, tau: float, t: Column, grid: Grid) -> Timing | None:
@@ -157,23 +155,24 @@ def _timing(problem: Problem, t: Column, grid: Grid, own: float, findings: tuple
     if last > 0 and usual(np.abs(t.values - grid.values) / t.units) <= 2 and abs(grid.first) <= grid.unit:
         seen = grid.unit / last
         # A wrong period is known by its times alone: where its series is cut may be another mistake.
-        nearest, near = (MOST_DOUBT, ROUGH) if findings else (KNOWN, PERIOD)
-        if seen < nearest and abs(grid.every / every - 1) <= near:  # the times tell the period better than theory
+        most, near = (MOST_DOUBT, NEAREST) if findings else (KNOWN, PERIOD)
+        if seen < most and abs(grid.every / every - 1) <= near:  # the times tell the period better than theory
             own, doubt = own * (grid.every / every), max(seen, 1e-14)
             every, dt = (each / problem.tau * own for each in (problem.every, problem.dt))
     yield Timing(clock_of(t, grid, dt, every, doubt), own, (*findings, *_layout(problem, t, grid, every, dt)))
     # Digits may be too few to tell a row at its time from one at the end of the step that reaches it, or at the nearest.
     per_row = every / dt
-    if abs(per_row - round(per_row)) > PERIOD * per_row and grid.unit > 1e-3 * dt:
+    if abs(per_row - round(per_row)) > PERIOD * per_row:
         layout = _layout(problem, t, grid, every, dt)
-        for whole in (np.ceil(grid.places * per_row * (1 - 1e-9)), np.round(grid.places * per_row)):
-            if np.all(np.abs(whole * dt - t.values) <= t.units + PERIOD * np.abs(t.values)):
-                clock = Clock(whole.astype(np.int64), dt, doubt, np.zeros(whole.size))
+        ends, nearest = (
+            Clock(whole.astype(np.int64), dt, doubt, np.zeros(whole.size))
+            for whole in (np.ceil(grid.places * per_row * (1 - 1e-9)), np.round(grid.places * per_row))
+        )
+        for clock in (ends, nearest) if grid.unit > 1e-3 * dt else ():
+            if np.all(np.abs(clock.t - t.values) <= t.units + PERIOD * np.abs(t.values)):
                 yield Timing(clock, own, (*findings, *layout))
-    if abs(per_row - round(per_row)) > PERIOD * per_row and is_on_time(t, grid, every) and not findings:
-        whole = np.ceil(grid.places * per_row * (1 - 1e-9))
-        clock = Clock(whole.astype(np.int64), dt, doubt, np.zeros(whole.size))
-        yield Timing(clock, own, (error("times_nominal"), *_layout(problem, t, grid, every, dt)))
+        if is_on_time(t, grid, every) and not findings:
+            yield Timing(ends, own, (error("times_nominal"), *layout))
     # The times of all rows may be off by a step or a row, and the states those of t = 0 and so on.
     for name, moved in (("step_late", -dt), ("step_early", dt), ("row_late", -every), ("row_early", every)):
         if abs(moved) > 2 * grid.unit and abs(grid.first - moved) <= grid.unit + PERIOD * every:

@@ -84,7 +84,7 @@ def view_of(problem: Problem, table: Table, columns: Columns) -> View:
         judged = not_judged_from(wanted)
         far = int(np.any([each[:judged] for each in wrong], axis=0).sum())
         if np.any(wanted.theta_slack > LOOSE) and are_cells(far, columns.t.values.size):
-            wrong = _from_row_to_row(start, timing.clock, columns, wanted, wrong)
+            wrong = _from_row_to_row(start, timing.clock, columns, wanted, judged, wrong)
         views.append(View(columns, places, timing, wanted, (*wrong, _wrong_times(columns.t, timing)), judged))
         if views[-1].is_right:
             return views[-1]
@@ -92,14 +92,18 @@ def view_of(problem: Problem, table: Table, columns: Columns) -> View:
 
 
 def _from_row_to_row(
-    start: Start, clock: Clock, columns: Columns, wanted: Prediction, wrong: tuple[npt.NDArray[np.bool_], ...]
+    start: Start,
+    clock: Clock,
+    columns: Columns,
+    wanted: Prediction,
+    judged: int,
+    wrong: tuple[npt.NDArray[np.bool_], ...],
 ) -> tuple[npt.NDArray[np.bool_], ...]:
     """Wrong rows where roundings may have grown: those that do not follow from the row before are wrong, too.
 
     From the row that is not judged on, a row is wrong that neither follows nor has the closed form's state, or whose energy is
     not that of the start.
     """
-    judged = not_judged_from(wanted)
     is_loose = wanted.theta_slack > LOOSE
     near = wrong_locally(start, clock, columns)
     # A row does not follow from a wrong one: of rows one after another, the last may be right.
